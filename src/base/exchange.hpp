@@ -28,6 +28,14 @@ void append_to(Bytes& message, std::span<const T> values) {
   append_bytes(message, std::as_bytes(values));
 }
 
+/// Appends the values and their number.
+template <class T>
+void append_list(Bytes& message, const std::vector<T>& values) {
+  const std::uint64_t count = values.size();
+  append_to<std::uint64_t>(message, {&count, 1});
+  append_to<T>(message, values);
+}
+
 /// Takes values from a message in the order in which they were appended.
 class MessageReader {
  public:
@@ -47,6 +55,10 @@ class MessageReader {
   template <class T>
   T take() {
     return take<T>(1).front();
+  }
+  template <class T>
+  std::vector<T> take_list() {
+    return take<T>(take<std::uint64_t>());
   }
   bool empty() const { return left_.empty(); }
   std::size_t size() const { return left_.size(); }

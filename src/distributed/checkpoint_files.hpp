@@ -40,7 +40,6 @@ SharedFiles::Part part_at(std::uint64_t offset, std::span<T> values) {
 /// Fills `bytes` from an offset on. Throws Error(kInput) if the file is shorter or cannot be read.
 void read_bytes(const std::string& path, std::uint64_t offset, std::span<std::byte> bytes);
 
-/// Reads `count` values at an offset.
 template <class T>
 std::vector<T> read_at(const std::string& path, std::uint64_t offset, std::uint64_t count) {
   std::vector<T> values(count);

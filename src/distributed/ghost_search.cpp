@@ -47,7 +47,6 @@ void insert(std::vector<int>& ranks, int rank) {
   if (at == ranks.end() || *at != rank) ranks.insert(at, rank);
 }
 
-/// Returns whether a cell touches a leaf.
 bool touches_any(CellAddress cell, const Octree& tree, const LeafFinder& finder) {
   bool found = false;
   for_each_around(cell, [&](CellAddress beside) {
@@ -88,7 +87,6 @@ GhostHolders possible_holders(const Octree& own, const ShareBounds& bounds, int 
   return holders;
 }
 
-/// Returns the holders of the first layer.
 GhostHolders first_layer(const Octree& own, const LeafFinder& finder, const ShareBounds& bounds,
                          Exchange& exchange) {
   GhostHolders holders = possible_holders(own, bounds, exchange.rank());

@@ -73,12 +73,7 @@ KeptSolve::Header KeptSolve::header_of(const LevelStart& start, const GridLevel&
   header.pieces = pieces;
   header.levels = start.levels.size();
   header.examined_leaves = level.examined_leaves;
-  header.numbers = {
-      start.depth,      start.coarsest_depth, start.relaxation_sweeps, start.expected.has_value(),
-      start.is_uniform, start.has_field};
-  header.relaxed_cells = start.relaxed_cells;
-  header.core_size = start.core_size;
-  if (start.expected) header.expected = *start.expected;
+  header.start = start;
   header.root = level.tree.root();
   return header;
 }
@@ -86,7 +81,7 @@ KeptSolve::Header KeptSolve::header_of(const LevelStart& start, const GridLevel&
 void KeptSolve::keep_start(const LevelStart& start, const GridLevel& level,
                            std::span<const StoredQuaternion> frames) {
   const std::string path = path_of(keep_, kStartName, start.depth).string();
-  if (is_one_folder_ && start.depth == found_.numbers[0]) return;  // it is there
+  if (is_one_folder_ && start.depth == found_.start.depth) return;  // it is there
   const Share share = level.share();
   const std::uint64_t own_pieces = level.piece_begin[share.end] - level.piece_begin[share.begin];
   const auto pieces = gathered_value(exchange_, own_pieces);
@@ -167,7 +162,7 @@ void KeptSolve::keep(const SweepsSoFar& sweeps, std::span<const LeafValues> list
 }
 
 std::optional<SweepsSoFar> KeptSolve::resumed(std::span<const LeafValues> lists) {
-  if (found_path_.empty() || found_.numbers[0] != depth_) return std::nullopt;
+  if (found_path_.empty() || found_.start.depth != depth_) return std::nullopt;
   const std::string path = path_of(resume_, kSweepsName, depth_).string();
   std::error_code error;
   // The first process says whether there are any.
@@ -223,17 +218,7 @@ std::optional<LevelStart> KeptSolve::read_start(const std::string& path) {
                       Remedy::kGiveSameModel);
   const Offsets offsets(found_);
   if (size != offsets.end) refuse_checkpoint(path, "is cut short");
-  LevelStart start;
-  start.depth = found_.numbers[0];
-  start.coarsest_depth = found_.numbers[1];
-  start.relaxation_sweeps = found_.numbers[2];
-  if (found_.numbers[3] != 0) start.expected = found_.expected;
-  start.is_uniform = found_.numbers[4] != 0;
-  start.has_field = found_.numbers[5] != 0;
-  start.relaxed_cells = found_.relaxed_cells;
-  start.core_size = found_.core_size;
-  start.levels = read_at<LevelStatistics>(path, offsets.levels, found_.levels);
-  return start;
+  return LevelStart{found_.start, read_at<LevelStatistics>(path, offsets.levels, found_.levels)};
 }
 
 std::optional<LevelStart> KeptSolve::begin(std::uint64_t identity) {
@@ -291,7 +276,7 @@ LeafRecords KeptSolve::leaves_between(std::uint64_t begin, std::uint64_t end) co
 }
 
 void KeptSolve::revisit(LevelVisitor& visitor) const {
-  for (int depth = found_.numbers[1]; depth < found_.numbers[0]; ++depth) {
+  for (int depth = found_.start.coarsest_depth; depth < found_.start.depth; ++depth) {
     const std::string path = path_of(resume_, kSeenName, depth).string();
     const SeenHeader header = read_at<SeenHeader>(path, 0, 1).front();
     if (header.magic != kSeenMagic || header.identity != found_.identity ||

@@ -68,11 +68,7 @@ class KeptSolve : public SweepKeeper {
   struct Header {
     std::array<char, 24> magic;
     std::uint64_t identity, leaves, pieces, levels, examined_leaves;
-    std::array<int, 6> numbers;  ///< depth, coarsest depth, relaxation sweeps, whether something is expected,
-                                 ///< is_uniform, has_field
-    std::uint64_t relaxed_cells;
-    double core_size;
-    Expectation expected;
+    LevelStartNumbers start;
     RootCube root;
   };
   struct Offsets;

@@ -9,16 +9,14 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-template <class T>
-void pack(Bytes& message, const std::vector<T>& values) {
-  const std::uint64_t count = values.size();
-  append_to(message, std::span(&count, 1));
-  append_to(message, std::span<const T>(values));
-}
-
-template <class T>
-void unpack(MessageReader& reader, std::vector<T>& values) {
-  values = reader.take<T>(reader.take<std::uint64_t>());
+template <class Records, class Visit>
+void for_lists(Records& records, const Visit& visit) {
+  visit(records.numbers);
+  visit(records.addresses);
+  visit(records.centre_winding);
+  visit(records.piece_counts);
+  visit(records.pieces);
+  for (auto& field : records.frames) visit(field);
 }
 
 }  // namespace
@@ -51,12 +49,7 @@ Bytes packed(const LeafRecords& records) {
   message.reserve(records.size() *
                       (sizeof(CellAddress) + sizeof(StoredQuaternion) * records.frames.size() + 8) +
                   records.pieces.size() * sizeof(SurfacePiece));
-  pack(message, records.numbers);
-  pack(message, records.addresses);
-  pack(message, records.centre_winding);
-  pack(message, records.piece_counts);
-  pack(message, records.pieces);
-  for (const auto& field : records.frames) pack(message, field);
+  for_lists(records, [&](const auto& values) { append_list(message, values); });
   return message;
 }
 
@@ -65,12 +58,7 @@ LeafRecords unpacked(std::span<const std::byte> message, std::size_t fields) {
   records.frames.resize(fields);
   if (message.empty()) return records;
   MessageReader reader(message);
-  unpack(reader, records.numbers);
-  unpack(reader, records.addresses);
-  unpack(reader, records.centre_winding);
-  unpack(reader, records.piece_counts);
-  unpack(reader, records.pieces);
-  for (auto& field : records.frames) unpack(reader, field);
+  for_lists(records, [&]<class T>(std::vector<T>& values) { values = reader.take_list<T>(); });
   return records;
 }
 

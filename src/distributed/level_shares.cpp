@@ -18,31 +18,18 @@ namespace {
 /// What the first process says in place of a start.
 constexpr std::byte kNothing{0}, kFailure{1};
 
-Bytes message_of(const LevelStart& s) {
+Bytes message_of(const LevelStart& start) {
+  const LevelStartNumbers& numbers = start;
   Bytes message;
-  append_to(message,
-            std::span<const int>(std::array{s.depth, s.coarsest_depth, static_cast<int>(s.is_uniform),
-                                            static_cast<int>(s.has_field), s.relaxation_sweeps}));
-  append_to(message, std::span(&s.relaxed_cells, 1));
-  append_to(message, std::span(&s.core_size, 1));
-  append_to(message, std::span(&s.expected, 1));
-  append_to(message, std::span<const LevelStatistics>(s.levels));
+  append_to(message, std::span(&numbers, 1));
+  append_to(message, std::span(start.levels));
   return message;
 }
 
 LevelStart start_in(const Bytes& message) {
   MessageReader reader(message);
-  LevelStart result;
-  result.depth = reader.take<int>();
-  result.coarsest_depth = reader.take<int>();
-  result.is_uniform = reader.take<int>() != 0;
-  result.has_field = reader.take<int>() != 0;
-  result.relaxation_sweeps = reader.take<int>();
-  result.relaxed_cells = reader.take<std::size_t>();
-  result.core_size = reader.take<double>();
-  result.expected = reader.take<std::optional<Expectation>>();
-  result.levels = reader.take<LevelStatistics>(reader.size() / sizeof(LevelStatistics));
-  return result;
+  const auto numbers = reader.take<LevelStartNumbers>();
+  return {numbers, reader.take<LevelStatistics>(reader.size() / sizeof(LevelStatistics))};
 }
 
 /// Makes a level of own leaves and of ghosts, both in the order of their numbers.

@@ -14,6 +14,7 @@
 #include "base/interface.hpp"
 #include "crossgrain/statistics.hpp"
 #include "field/field_state.hpp"
+#include "field/relaxed_levels.hpp"
 #include "field/solve_tuning.hpp"
 #include "field/sweep_keeper.hpp"
 #include "grid/grid_level.hpp"
@@ -40,17 +41,18 @@ class LevelVisitor : public Interface {
   virtual void revisit(int depth, const Bytes& seen) = 0;
 };
 
-/// What a level begins with besides its leaves and their frames.
-struct LevelStart {
+/// What a level begins with besides its leaves and their frames: what takes as many bytes on every level, and
+/// the statistics of the levels before.
+struct LevelStartNumbers {
   int depth = 0;
   int coarsest_depth = 0;
-  bool is_uniform = false;    ///< all levels so far have cells of one size each, and are small
-  bool has_field = false;     ///< the solve has begun with a field, InitialField::frame_at
-  int relaxation_sweeps = 0;  ///< as in InitialField
-  std::size_t relaxed_cells = 0;
-  double core_size = 0;
-  std::vector<LevelStatistics> levels;  ///< those before
+  bool is_uniform = false;  ///< all levels so far have cells of one size each, and are small
+  bool has_field = false;   ///< the solve has begun with a field, InitialField::frame_at
+  RelaxedLevels relaxed = {};
   std::optional<Expectation> expected;
+};
+struct LevelStart : LevelStartNumbers {
+  std::vector<LevelStatistics> levels;
 };
 
 /// How processes share the levels of a solve: the first one solves the small levels alone; then it shares out

@@ -11,6 +11,7 @@
 #include "base/parallel.hpp"
 #include "crossgrain/monitor.hpp"
 #include "field/octree_graph.hpp"
+#include "field/relaxed_levels.hpp"
 #include "field/solve_tuning.hpp"
 #include "field/stages.hpp"
 #include "grid/grid_level.hpp"
@@ -49,11 +50,9 @@ class LevelSolver {
     return lower_settled(graph(), std::move(start), std::move(frames), settling(), after_sweep());
   }
 
-  /// Relaxes under a penalty for which singular lines have a core of the size of a cell of `core_size`, in
-  /// model units, or of their own cells where those are larger.
-  Frames relaxed_with_cores(Frames frames, int sweeps, double core_size) {
-    const std::vector<float> shares = penalty_shares(core_size);
-    RelaxationPlan plan{sweeps, options_.symmetrisation, options_.over_relaxation};
+  Frames relaxed_with_cores(Frames frames, const RelaxedLevels& relaxed) {
+    const std::vector<float> shares = penalty_shares(relaxed.core_size);
+    RelaxationPlan plan{relaxed.sweeps, options_.symmetrisation, options_.over_relaxation};
     plan.grows = false;
     plan.penalty_shares = shares;
     return relaxed_by(plan, std::move(frames));

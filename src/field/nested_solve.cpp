@@ -95,9 +95,7 @@ class NestedSolver {
   }
 
   Start begun_from(const LevelStart& start) {
-    initial_.relaxation_sweeps = start.relaxation_sweeps;
-    initial_.relaxed_cells = start.relaxed_cells;
-    initial_.core_size = start.core_size;
+    initial_.relaxed = start.relaxed;
     progress_.begin_at(start.coarsest_depth);
     is_uniform_ = start.is_uniform;
     has_field_ = start.has_field;
@@ -125,8 +123,7 @@ class NestedSolver {
   void solve_levels_from(Start start) {
     const int finest_depth = frame().finest_depth;
     progress_.end_at(finest_depth);
-    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped_,
-                           {static_cast<double>(initial_.relaxed_cells), initial_.relaxation_sweeps},
+    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped_, initial_.relaxed,
                            {sharing_.processes(), static_cast<double>(sharing_.fewest_leaves())});
     RefinedLevel made = std::move(start.made);
     for (int depth = start.depth;; ++depth) {
@@ -141,7 +138,7 @@ class NestedSolver {
       if (finest) progress_.end_at(depth);
       progress_.tell_grid(depth, leaves);
       std::optional<RelaxedStart> relaxed;
-      if (initial_.relaxation_sweeps > 0 && leaves <= initial_.relaxed_cells)
+      if (initial_.relaxed.sweeps > 0 && leaves <= initial_.relaxed.most_cells)
         relaxed = relaxed_and_refined(depth, made);
       // No level follows the finest one: its neighbours end here.
       Connectivity connectivity =
@@ -244,7 +241,7 @@ class NestedSolver {
                           progress_.place(depth, leaves_of_all(), 0));
     RelaxedStart start;
     start.original = std::move(candidates_.front().frames);
-    start.frames = solver.relaxed_with_cores(start.original, initial_.relaxation_sweeps, initial_.core_size);
+    start.frames = solver.relaxed_with_cores(start.original, initial_.relaxed);
     start.sweeps = solver.sweeps();
     Marks marks = moved_line_marks(result_.level, connectivity->adjacency, start.frames, depth,
                                    options_.solver.energy_density_threshold);
@@ -377,15 +374,9 @@ class NestedSolver {
 
   /// Shares out a refined level with the frames of the only candidate.
   RefinedLevel shared_out(RefinedLevel made, int depth) {
-    const LevelStart start{depth,
-                           progress_.coarsest_depth(),
-                           is_uniform_,
-                           has_field_,
-                           initial_.relaxation_sweeps,
-                           initial_.relaxed_cells,
-                           initial_.core_size,
-                           result_.levels,
-                           result_.expected};
+    const LevelStart start{
+        {depth, progress_.coarsest_depth(), is_uniform_, has_field_, initial_.relaxed, result_.expected},
+        result_.levels};
     Frames frames = begins_with_field(made.level, depth)
                         ? sampled(initial_, made.level)
                         : inherited(finished_.candidates().front().frames, made.parent);

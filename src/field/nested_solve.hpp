@@ -58,13 +58,7 @@ struct InitialField {
   /// before. Model units.
   double last_cell_size = 0;
 
-  /// Relaxation sweeps on every level of at most so many cells, under a penalty for which a singular line has
-  /// a core of the size of a cell of `core_size`, or of its own cells where those are larger. So lines cost
-  /// the same in cells of all sizes, and are not drawn into the larger ones. Cells that lines have moved into
-  /// are refined again.
-  int relaxation_sweeps = 0;
-  std::size_t relaxed_cells = 0;
-  double core_size = 0;  ///< model units
+  RelaxedLevels relaxed = {};
 };
 
 /// The place of a solve in a run.

@@ -7,6 +7,7 @@
 
 #include "crossgrain/options.hpp"
 #include "crossgrain/statistics.hpp"
+#include "field/relaxed_levels.hpp"
 #include "grid/level_growth.hpp"
 
 namespace crossgrain {
@@ -18,19 +19,12 @@ struct LevelWork {
   int times_made = 1;  ///< grid and forms
 };
 
-/// Levels of at most so many cells that are relaxed after the decision, and made once more (InitialField).
-struct RelaxedLevels {
-  double most_cells = 0;
-  int sweeps = 0;
-};
-
 /// The processes that share levels of at least so many cells.
 struct Sharers {
   int processes = 1;
   double fewest_cells = 0;
 };
 
-/// Forecast for one solve.
 class SolveForecast {
  public:
   /// `memory_before_bytes` is what the process uses before the first level; `keeps_levels`: each finished
@@ -54,7 +48,9 @@ class SolveForecast {
                                            double finest_resolution);
 
  private:
-  bool is_relaxed(const LevelCounts& counts) const { return counts.cells <= relaxed_.most_cells; }
+  bool is_relaxed(const LevelCounts& counts) const {
+    return counts.cells <= static_cast<double>(relaxed_.most_cells);
+  }
   int times_made(const LevelCounts& counts) const { return is_relaxed(counts) ? 2 : 1; }
   LevelWork usual_work(const LevelCounts& counts) const;
 

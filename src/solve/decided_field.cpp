@@ -124,7 +124,6 @@ SolveTuning on_one_grid(SolveTuning options, double cell_size) {
 
 constexpr PlaceInRun kPlace{0, true};
 
-/// The field of the turned solid.
 SolvedField solved_in(const Quaternion& turn, const Solid& solid, const SolveTuning& options,
                       const Monitor& monitor) {
   const SearchableSurface surface(turned(solid.surface, turn));
@@ -199,11 +198,10 @@ InitialField DecidedField::initial_field() const {
   const double size = description().cell_size;
   InitialField initial;
   initial.frame_at = [this](const Vector3& point) { return frame_at(point); };
-  initial.first_cell_size = initial.core_size = size;
+  initial.first_cell_size = size;
   // The coarser of two levels may have merged lines that the decision tells apart.
   initial.last_cell_size = size / 2;
-  initial.relaxation_sweeps = kDecidedRelaxation;
-  initial.relaxed_cells = kDecidedRelaxedCells;
+  initial.relaxed = {kDecidedRelaxedCells, kDecidedRelaxation, size};
   return initial;
 }
 

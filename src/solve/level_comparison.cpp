@@ -60,18 +60,6 @@ bool have_as_many(const SolveReport::Singularity& a, const SolveReport::Singular
   return a.arcs == b.arcs && a.nodes == b.nodes && a.boundary_ends == b.boundary_ends;
 }
 
-template <class T>
-void append_list(Bytes& message, const std::vector<T>& values) {
-  const std::uint64_t size = values.size();
-  append_to<std::uint64_t>(message, {&size, 1});
-  append_to<T>(message, values);
-}
-
-template <class T>
-std::vector<T> list_from(MessageReader& reader) {
-  return reader.take<T>(reader.take<std::uint64_t>());
-}
-
 }  // namespace
 
 Bytes CoarserGraphs::visit(const CoarserLevel& level) {
@@ -92,9 +80,9 @@ void CoarserGraphs::revisit(int depth, const Bytes& seen) {
   MessageReader reader(seen);
   const auto cell_size = reader.take<double>();
   SingularEdges singular;
-  singular.points = list_from<SingularEdges::Point>(reader);
-  singular.edges = list_from<SingularEdge>(reader);
-  singular.surface_edges = list_from<std::array<std::uint32_t, 2>>(reader);
+  singular.points = reader.take_list<SingularEdges::Point>();
+  singular.edges = reader.take_list<SingularEdge>();
+  singular.surface_edges = reader.take_list<std::array<std::uint32_t, 2>>();
   singular.creases = creases_;
   add(depth, cell_size, singular);
 }
