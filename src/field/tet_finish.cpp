@@ -154,7 +154,9 @@ class Finish {
         guides_(guides),
         after_sweep_(after_sweep),
         plan_(settling_plan(options, *connectivity_, extent.volume, extent.side)),
-        graph_(graph_of<D>(connectivity_, holds, options, guides)) {}
+        graph_(graph_of<D>(connectivity_, holds, options, guides)) {
+    if (D != 4) relaxed_graph_ = graph_of<4>(connectivity_, holds, options, guides);
+  }
 
   SettledFrames of(Frames start) {
     if (options_.relaxation_sweeps == 0) return settled(graph_, std::move(start), plan_, after_sweep_);
@@ -190,7 +192,6 @@ class Finish {
   /// Relaxes all starts and settles them for a few sweeps. Small graphs keep one thread busy, so two halves
   /// of the starts go side by side; only the first is reported.
   std::vector<SettledFrames> raced_from(const std::vector<Frames>& starts) {
-    if (D != 4) relaxed_graph_ = graph_of<4>(connectivity_, holds_, options_, guides_);
     SettlingPlan race = plan_;
     race.most_sweeps = std::min(kRaceSweeps, plan_.most_sweeps);
     race.more_sweeps = 0;
@@ -216,14 +217,11 @@ class Finish {
   /// Relaxes in degree 4 for both degrees, as on the grid.
   Frames relaxed(Frames frames, const SweepMonitor& after_sweep) {
     const RelaxationPlan plan{options_.relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
-    if constexpr (D == 4) {
-      frames = crossgrain::relaxed(graph_, std::move(frames), plan, after_sweep);
-    } else {
-      if (!relaxed_graph_.connectivity)
-        relaxed_graph_ = graph_of<4>(connectivity_, holds_, options_, guides_);
-      frames = crossgrain::relaxed(relaxed_graph_, std::move(frames), plan, after_sweep);
-    }
-    return stored(aligned(holds_, frames));
+    const auto& graph = [this]() -> const FieldGraph<4>& {
+      if constexpr (D == 4) return graph_;
+      return relaxed_graph_;
+    }();
+    return stored(aligned(holds_, crossgrain::relaxed(graph, std::move(frames), plan, after_sweep)));
   }
 
   const std::shared_ptr<const Connectivity> connectivity_;
@@ -233,7 +231,7 @@ class Finish {
   const SweepMonitor& after_sweep_;
   const SettlingPlan plan_;
   const FieldGraph<D> graph_;
-  FieldGraph<4> relaxed_graph_;  ///< in degree 3, once it is needed
+  FieldGraph<4> relaxed_graph_;  ///< in degree 3
 };
 
 template <int D>
