@@ -8,6 +8,8 @@
 #include <optional>
 #include <unordered_map>
 
+#include "base/lists.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -59,13 +61,9 @@ struct Heading {
 class CutField {
  public:
   CutField(const CutMesh& mesh, std::span<const AxisNames> names) : mesh_(mesh), names_(names) {
-    begin_.assign(mesh.pieces().size() + 1, 0);
-    for (const CutMesh::Side& side : mesh.sides()) ++begin_[side.a + 1], ++begin_[side.b + 1];
-    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    around_.resize(begin_.back());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (const CutMesh::Side& side : mesh.sides())
-      around_[next[side.a]++] = side.b, around_[next[side.b]++] = side.a;
+    around_ = {mesh.pieces().size(), [&](const auto& add) {
+                 for (const CutMesh::Side& side : mesh.sides()) add(side.a, side.b), add(side.b, side.a);
+               }};
     for (const Quaternion& frame : mesh.frames()) axes_.push_back(axes_of(frame));
   }
 
@@ -74,10 +72,8 @@ class CutField {
     const std::size_t own = nearest_axis(piece, direction);
     const Vector3 lead = turned(axes_[piece][own], direction);
     Vector3 sum = weight(piece, point) * lead;
-    for (std::uint32_t k = begin_[piece]; k < begin_[piece + 1]; ++k) {
-      const std::uint32_t other = around_[k];
+    for (const std::uint32_t other : around_[piece])
       sum += weight(other, point) * turned(axes_[other][nearest_axis(other, lead)], lead);
-    }
     const double length = norm(sum);
     const Vector3 axis = length > 0 ? 1 / length * sum : lead;
     Vector3 flat = axis;
@@ -131,7 +127,7 @@ class CutField {
 
   const CutMesh& mesh_;
   std::span<const AxisNames> names_;
-  std::vector<std::uint32_t> begin_, around_;
+  Lists<std::uint32_t> around_;
   std::vector<std::array<Vector3, 3>> axes_;
 };
 

@@ -242,13 +242,10 @@ void CutMesh::sort_into_bins() {
   bin_size_ = std::sqrt(area / (kBinsPerPiece * static_cast<double>(pieces_.size())));
   for (std::size_t k = 0; k < 2; ++k)
     bin_count_[k] = 1 + static_cast<std::int64_t>((box.high[in_plane[k]] - box.low[in_plane[k]]) / bin_size_);
-  bin_begin_.assign(static_cast<std::size_t>(bin_count_[0] * bin_count_[1]) + 1, 0);
-  for (const Piece& piece : pieces_) for_each_bin(piece, [&](std::size_t k) { ++bin_begin_[k + 1]; });
-  for (std::size_t k = 1; k < bin_begin_.size(); ++k) bin_begin_[k] += bin_begin_[k - 1];
-  binned_.resize(bin_begin_.back());
-  std::vector<std::uint32_t> next(bin_begin_.begin(), bin_begin_.end() - 1);
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-    for_each_bin(pieces_[i], [&](std::size_t k) { binned_[next[k]++] = i; });
+  binned_ = {static_cast<std::size_t>(bin_count_[0] * bin_count_[1]), [&](const auto& add) {
+               for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+                 for_each_bin(pieces_[i], [&](std::size_t k) { add(k, i); });
+             }};
 }
 
 bool CutMesh::contains(const Piece& piece, const Vector3& point) const {
@@ -269,8 +266,8 @@ std::optional<std::uint32_t> CutMesh::piece_at(const Vector3& point) const {
   if (pieces_.empty()) return std::nullopt;
   const auto k =
       static_cast<std::size_t>(bin(point[plane_.up()], 1) * bin_count_[0] + bin(point[plane_.across()], 0));
-  for (std::uint32_t at = bin_begin_[k]; at < bin_begin_[k + 1]; ++at)
-    if (contains(pieces_[binned_[at]], point)) return binned_[at];
+  for (const std::uint32_t piece : binned_[k])
+    if (contains(pieces_[piece], point)) return piece;
   return std::nullopt;
 }
 

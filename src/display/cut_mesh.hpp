@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/lists.hpp"
 #include "base/quaternion.hpp"
 #include "display/shown_field.hpp"
 #include "singularity/axis_names.hpp"
@@ -86,7 +87,7 @@ class CutMesh {
   std::array<double, 2> bin_low_{};
   double bin_size_ = 1;
   std::array<std::int64_t, 2> bin_count_{1, 1};
-  std::vector<std::uint32_t> bin_begin_, binned_;
+  Lists<std::uint32_t> binned_;
 };
 
 }  // namespace crossgrain

@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "base/lists.hpp"
 #include "base/parallel.hpp"
 #include "display/leaf_corner_means.hpp"
 #include "measure/alignment.hpp"
@@ -49,27 +50,6 @@ std::size_t nearest_direction(const Vector3& normal) {
     if (std::abs(normal[k]) > std::abs(normal[nearest])) nearest = k;
   return 2 * nearest + (normal[nearest] > 0 ? 1 : 0);
 }
-
-/// The spots in each leaf, in their order.
-class SpotsOfLeaves {
- public:
-  SpotsOfLeaves(const std::deque<SurfaceSpot>& spots, std::size_t leaves) : begin_(leaves + 1, 0) {
-    for (const SurfaceSpot& spot : spots)
-      if (spot.leaf != kNoCell) ++begin_[spot.leaf + 1];
-    for (std::size_t i = 0; i < leaves; ++i) begin_[i + 1] += begin_[i];
-    order_.resize(begin_.back());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t i = 0; i < spots.size(); ++i)
-      if (spots[i].leaf != kNoCell) order_[next[spots[i].leaf]++] = i;
-  }
-
-  std::span<const std::uint32_t> in(std::size_t leaf) const {
-    return std::span(order_).subspan(begin_[leaf], begin_[leaf + 1] - begin_[leaf]);
-  }
-
- private:
-  std::vector<std::uint32_t> begin_, order_;
-};
 
 }  // namespace
 
@@ -132,11 +112,14 @@ Vector3 GridNumbers::flat_normal(const SurfaceSpot& spot) const {
 }
 
 void GridNumbers::measure_facets() {
-  const SpotsOfLeaves spots(*spots_, field_.tree.size());
+  const Lists<std::uint32_t> spots(field_.tree.size(), [&](const auto& add) {
+    for (std::uint32_t i = 0; i < spots_->size(); ++i)
+      if ((*spots_)[i].leaf != kNoCell) add((*spots_)[i].leaf, i);
+  });
   facets_begin_.assign(field_.tree.size() + 1, 0);
   parallel_for(field_.tree.size(), [&](std::size_t leaf) {
     unsigned directions = 0;
-    for (const std::uint32_t i : spots.in(leaf))
+    for (const std::uint32_t i : spots[leaf])
       directions |= 1u << nearest_direction(flat_normal((*spots_)[i]));
     facets_begin_[leaf + 1] = static_cast<std::uint32_t>(std::popcount(directions));
   });
@@ -156,13 +139,12 @@ void GridNumbers::measure_facets() {
     };
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
       std::uint32_t facet = facets_begin_[leaf];
-      for_each_facet(static_cast<CellIndex>(leaf), spots.in(leaf),
-                     [&](const Facet& made, const Vector3& place) {
-                       if (at_facets.is_full()) measure();
-                       pending.push_back(facet);
-                       facets_[facet++] = made;
-                       at_facets.add(static_cast<CellIndex>(leaf), place);
-                     });
+      for_each_facet(static_cast<CellIndex>(leaf), spots[leaf], [&](const Facet& made, const Vector3& place) {
+        if (at_facets.is_full()) measure();
+        pending.push_back(facet);
+        facets_[facet++] = made;
+        at_facets.add(static_cast<CellIndex>(leaf), place);
+      });
     }
     measure();
   });

@@ -13,7 +13,6 @@
 
 namespace crossgrain {
 
-/// SurfaceNumbers of a field on a grid.
 class GridNumbers {
  public:
   /// Cuts the surface into pieces of `longest` cells.

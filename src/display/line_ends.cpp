@@ -58,7 +58,6 @@ class End {
       lengths_.push_back(lengths_.back() + norm(points_[k] - points_[k - 1]));
   }
 
-  /// The point at a length from the end.
   Vector3 point_at(double length) const {
     const auto above = std::upper_bound(lengths_.begin(), lengths_.end(), length);
     if (above == lengths_.end()) return points_.back();

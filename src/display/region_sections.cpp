@@ -51,19 +51,14 @@ RegionSections::RegionSections(const SolvedSurface& surface, const std::vector<s
   low_ = low;
   strips_per_length_ = kStrips / (high - low);
   for (const std::int32_t region : regions) {
-    Outline outline{region, std::vector<std::uint32_t>(kStrips + 1, 0), {}};
-    const auto strips = [&](const Edge& edge) {
-      return std::array{strip_of(std::min(edge.from_across, edge.to_across)),
-                        strip_of(std::max(edge.from_across, edge.to_across))};
+    const auto for_strips = [&](const auto& add_to) {
+      for (const Edge& edge : edges[region]) {
+        const std::size_t last = strip_of(std::max(edge.from_across, edge.to_across));
+        for (std::size_t strip = strip_of(std::min(edge.from_across, edge.to_across)); strip <= last; ++strip)
+          add_to(strip, edge);
+      }
     };
-    for (const Edge& edge : edges[region])
-      for (auto [strip, last] = strips(edge); strip <= last; ++strip) ++outline.begin[strip + 1];
-    for (std::size_t k = 0; k < kStrips; ++k) outline.begin[k + 1] += outline.begin[k];
-    outline.edges.resize(outline.begin.back());
-    std::vector<std::uint32_t> next(outline.begin.begin(), outline.begin.end() - 1);
-    for (const Edge& edge : edges[region])
-      for (auto [strip, last] = strips(edge); strip <= last; ++strip) outline.edges[next[strip]++] = edge;
-    outlines_.push_back(std::move(outline));
+    outlines_.push_back({region, {kStrips, for_strips}});
   }
 }
 
@@ -77,8 +72,7 @@ std::optional<std::int32_t> RegionSections::at(const Vector3& point) const {
   const std::size_t strip = strip_of(point[across_]);
   for (const Outline& outline : outlines_) {
     int winding = 0, whole = 0;
-    for (std::uint32_t i = outline.begin[strip]; i < outline.begin[strip + 1]; ++i) {
-      const Edge& edge = outline.edges[i];
+    for (const Edge& edge : outline.edges[strip]) {
       const double from = edge.from_across - point[across_], to = edge.to_across - point[across_];
       if ((from > 0) == (to > 0)) continue;
       const double meets = edge.from_along + from / (from - to) * (edge.to_along - edge.from_along);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/lists.hpp"
 #include "field/solved_surface.hpp"
 
 namespace crossgrain {
@@ -31,8 +32,7 @@ class RegionSections {
   /// The edges of one region, listed in each strip of the plane that they pass.
   struct Outline {
     std::int32_t region;
-    std::vector<std::uint32_t> begin;
-    std::vector<Edge> edges;
+    Lists<Edge> edges;
   };
 
   std::size_t strip_of(double across) const;

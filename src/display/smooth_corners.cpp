@@ -20,20 +20,15 @@ SmoothCorners::SmoothCorners(const std::vector<Vector3>& vertices,
       least_cosine_(std::cos(kSmoothDeg * std::numbers::pi / 180)),
       area_vectors_(triangles.size()),
       normals_(triangles.size()),
-      begin_(vertices.size() + 1, 0),
-      at_vertices_(3 * triangles.size()) {
+      at_vertices_(vertices.size(), [&](const auto& add) {
+        for (std::uint32_t t = 0; t < triangles.size(); ++t)
+          for (const std::uint32_t vertex : triangles[t]) add(vertex, t);
+      }) {
   parallel_for(triangles.size(), [&](std::size_t t) {
     const auto& [a, b, c] = triangles[t];
     area_vectors_[t] = cross(vertices[b] - vertices[a], vertices[c] - vertices[a]);
     normals_[t] = normalised(area_vectors_[t]);
   });
-  for (const auto& corners : triangles)
-    for (const std::uint32_t vertex : corners) ++begin_[vertex + 1];
-  for (std::size_t i = 0; i < vertices.size(); ++i) begin_[i + 1] += begin_[i];
-  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (const std::uint32_t vertex : triangles[t])
-      at_vertices_[next[vertex]++] = static_cast<std::uint32_t>(t);
 }
 
 CornerNormals corner_normals(const SmoothCorners& corners, std::size_t triangles) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/lists.hpp"
 #include "base/vector3.hpp"
 
 namespace crossgrain {
@@ -25,17 +26,15 @@ class SmoothCorners {
   template <class Visit>
   void for_each_at(std::size_t triangle, std::size_t corner, const Visit& visit) const {
     const std::uint32_t vertex = triangles_[triangle][corner];
-    for (std::uint32_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
-      const std::uint32_t other = at_vertices_[i];
+    for (const std::uint32_t other : at_vertices_[vertex])
       if (other == triangle || dot(normals_[other], normals_[triangle]) > least_cosine_) visit(other);
-    }
   }
 
  private:
   const std::vector<std::array<std::uint32_t, 3>>& triangles_;
   double least_cosine_;
   std::vector<Vector3> area_vectors_, normals_;
-  std::vector<std::uint32_t> begin_, at_vertices_;  ///< the triangles at each vertex
+  Lists<std::uint32_t> at_vertices_;  ///< the triangles at each vertex
 };
 
 using CornerNormals = std::vector<std::array<std::array<float, 3>, 3>>;

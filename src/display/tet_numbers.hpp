@@ -8,7 +8,6 @@
 
 namespace crossgrain {
 
-/// SurfaceNumbers of a field on tets.
 class TetNumbers {
  public:
   TetNumbers(const ShownField& field, SurfaceNumber number);

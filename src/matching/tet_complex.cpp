@@ -91,14 +91,6 @@ std::vector<const TetAtEdge*> in_order(std::span<const TetAtEdge> at) {
 
 }  // namespace
 
-ListTable::ListTable(std::size_t lists, std::span<const std::array<std::uint32_t, 2>> pairs)
-    : begins_(lists + 1, 0), entries_(pairs.size()) {
-  for (const auto& [list, entry] : pairs) ++begins_[list + 1];
-  for (std::size_t k = 0; k < lists; ++k) begins_[k + 1] += begins_[k];
-  std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
-  for (const auto& [list, entry] : pairs) entries_[next[list]++] = entry;
-}
-
 std::vector<std::array<Crossing, 4>> crossings_of(const TetSolid& solid) {
   std::vector<std::array<Crossing, 4>> crossings(solid.mesh.tets.size());
   for (auto& of_tet : crossings) of_tet.fill({kNoFace, false});

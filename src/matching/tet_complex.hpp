@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/lists.hpp"
 #include "tets/boundary_vertices.hpp"
 #include "tets/tet_solid.hpp"
 
@@ -16,20 +17,15 @@ namespace crossgrain {
 /// A face of a boundary at a vertex or an edge that is none.
 inline constexpr std::uint32_t kNoFace = UINT32_MAX, kNoEdge = UINT32_MAX;
 
-/// Lists of numbers, one after the other in one array.
-class ListTable {
+class ListTable : public Lists<std::uint32_t> {
  public:
   ListTable() = default;
 
   /// Takes pairs of a list and an entry; entries of a list keep their order.
-  ListTable(std::size_t lists, std::span<const std::array<std::uint32_t, 2>> pairs);
-
-  std::span<const std::uint32_t> operator[](std::size_t list) const {
-    return {entries_.data() + begins_[list], begins_[list + 1] - begins_[list]};
-  }
-
- private:
-  std::vector<std::uint32_t> begins_, entries_;
+  ListTable(std::size_t lists, std::span<const std::array<std::uint32_t, 2>> pairs)
+      : Lists(lists, [&](const auto& add) {
+          for (const auto& [list, entry] : pairs) add(list, entry);
+        }) {}
 };
 
 /// The way through a face, from the tet on one side to that on the other.

@@ -30,21 +30,16 @@ TetFinder::TetFinder(std::span<const Vector3> vertices, std::span<const std::arr
     count_[k] = std::clamp(static_cast<int>(std::clamp(sides[k] / side, 0.0, 1e6)), 1, kMostAlong);
     per_length_[k] = count_[k] / sides[k];
   }
-  begin_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
-  const auto for_boxes = [&](const auto& use) {
+  const auto for_boxes = [&](const auto& add) {
     for (std::uint32_t t = 0; t < tets.size(); ++t) {
       const Box box = box_of(tets[t], vertices);
       const std::array<int, 3> low = cell_of(box.low), high = cell_of(box.high);
       for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
-          for (int x = low[0]; x <= high[0]; ++x) use(index_of({x, y, z}), t);
+          for (int x = low[0]; x <= high[0]; ++x) add(index_of({x, y, z}), t);
     }
   };
-  for_boxes([&](std::size_t at, std::uint32_t) { ++begin_[at + 1]; });
-  for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
-  tets_.resize(begin_.back());
-  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  for_boxes([&](std::size_t at, std::uint32_t tet) { tets_[next[at]++] = tet; });
+  tets_ = {static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], for_boxes};
 }
 
 std::span<const std::uint32_t> TetFinder::near(const Vector3& point) const {
@@ -70,8 +65,7 @@ std::size_t TetFinder::index_of(const std::array<int, 3>& cell) const {
 }
 
 std::span<const std::uint32_t> TetFinder::in_cell(const std::array<int, 3>& cell) const {
-  const std::size_t at = index_of(cell);
-  return {tets_.data() + begin_[at], begin_[at + 1] - begin_[at]};
+  return tets_[index_of(cell)];
 }
 
 }  // namespace crossgrain

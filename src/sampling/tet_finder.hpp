@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/lists.hpp"
 #include "base/vector3.hpp"
 
 namespace crossgrain {
@@ -41,8 +42,7 @@ class TetFinder {
   Box box_;
   std::array<int, 3> count_{1, 1, 1};
   Vector3 per_length_;  ///< boxes per length along each axis
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> tets_;
+  Lists<std::uint32_t, std::size_t> tets_;
 };
 
 }  // namespace crossgrain
