@@ -30,7 +30,6 @@ class Candidates {
   /// Frames of the candidate of lowest energy on the last level.
   Frames& best_frames() { return fields_[best_].frames; }
 
-  /// Begins with one field.
   void begin_with(Frames frames);
 
   /// Begins with `starts` fields of random frames, at least one.

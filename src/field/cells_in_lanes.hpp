@@ -114,7 +114,6 @@ BasicQuaternion<Real> from_stored(const std::vector<StoredQuaternion>& frames,
   return normalised(BasicQuaternion<Real>{w, x, y, z});
 }
 
-/// Returns the stored coefficients of the cells.
 template <int D, class Real>
 Coefficients<D, Real> from_stored(const std::vector<StoredCoefficients<D>>& coefficients,
                                   const CellsInLanes<Real::kCount>& cells) {
@@ -130,7 +129,6 @@ Coefficients<D, Real> from_stored(const std::vector<StoredCoefficients<D>>& coef
   return h;
 }
 
-/// Stores the coefficients of the cells in lanes with `is_stored`.
 template <int D, class Real>
 void store_in(std::vector<StoredCoefficients<D>>& coefficients, const CellsInLanes<Real::kCount>& cells,
               const std::array<bool, Real::kCount>& is_stored, const Coefficients<D, Real>& h) {
@@ -146,7 +144,6 @@ void store_in(std::vector<StoredCoefficients<D>>& coefficients, const CellsInLan
   }
 }
 
-/// Stores the frames and coefficients of the cells in lanes with `is_stored`.
 template <int D, class Real>
 void store_in(FieldState<D>& state, const CellsInLanes<Real::kCount>& cells,
               const std::array<bool, Real::kCount>& is_stored, const BasicQuaternion<Real>& frame,

@@ -20,7 +20,6 @@ enum class MemoryMoment {
 /// Bytes of one structure per cell, surface cell, cell of several normals and piece. Coefficients and forms
 /// are those of degree 4; in degree 3 they are smaller.
 struct MemoryLine {
-  const char* structure;
   double per_cell = 0;
   double per_surface_cell = 0;
   double per_cell_of_several_normals = 0;
@@ -42,42 +41,32 @@ inline constexpr std::array kWhileSettling{false, true, false};
 inline constexpr std::array kFromSettling{false, true, true};
 inline constexpr std::array kWhileComparing{false, false, true};
 
-inline constexpr MemoryLine kTree{.structure = "tree", .per_cell = 8, .held = kAlways};
-inline constexpr MemoryLine kPieceBegin{.structure = "piece_begin", .per_cell = 4, .held = kAlways};
-inline constexpr MemoryLine kPieces{.structure = "pieces", .per_piece = 8, .held = kAlways};
-inline constexpr MemoryLine kWinding{.structure = "centre_winding", .per_cell = 1, .held = kAlways};
-inline constexpr MemoryLine kFaceNeighbours{
-    .structure = "face neighbours", .per_cell = 24, .held = kWhileConnecting};
-inline constexpr MemoryLine kParents{.structure = "parents", .per_cell = 4, .held = kWhileConnecting};
-inline constexpr MemoryLine kFaceWeights{
-    .structure = "face weights", .per_cell = 6, .held = kWhileConnecting};
-inline constexpr MemoryLine kOpenFaces{.structure = "open faces", .per_cell = 1, .held = kAlways};
-inline constexpr MemoryLine kAdjacency{
-    .structure = "adjacency", .per_cell = 55, .per_surface_cell = 22, .held = kAlways};
-inline constexpr MemoryLine kSweepOrder{.structure = "sweep order", .per_cell = 4, .held = kFromConnecting};
-inline constexpr MemoryLine kFormSlots{.structure = "slots of forms", .per_cell = 4, .held = kWhileSettling};
-inline constexpr MemoryLine kPlaneForms{.structure = "forms of planes",
-                                        .per_surface_cell = 16,
-                                        .per_cell_of_several_normals = -16,
-                                        .held = kWhileSettling};
-inline constexpr MemoryLine kGeneralForms{
-    .structure = "forms of several normals", .per_cell_of_several_normals = 220, .held = kWhileSettling};
-inline constexpr MemoryLine kCoarserFrames{
-    .structure = "frames of the level before", .per_cell = 6, .held = kWhileConnecting};
-inline constexpr MemoryLine kFrames{.structure = "frames", .per_cell = 16, .held = kFromSettling};
-inline constexpr MemoryLine kCoefficients{.structure = "coefficients", .per_cell = 36, .held = kFromSettling};
-inline constexpr MemoryLine kEnergyDensity{
-    .structure = "energy density", .per_cell = 4, .held = kWhileComparing};
-inline constexpr MemoryLine kSharpTurns{.structure = "sharp turns", .per_cell = 1, .held = kWhileComparing};
+inline constexpr MemoryLine kTree{.per_cell = 8, .held = kAlways};
+inline constexpr MemoryLine kPieceBegin{.per_cell = 4, .held = kAlways};
+inline constexpr MemoryLine kPieces{.per_piece = 8, .held = kAlways};
+inline constexpr MemoryLine kWinding{.per_cell = 1, .held = kAlways};
+inline constexpr MemoryLine kFaceNeighbours{.per_cell = 24, .held = kWhileConnecting};
+inline constexpr MemoryLine kParents{.per_cell = 4, .held = kWhileConnecting};
+inline constexpr MemoryLine kFaceWeights{.per_cell = 6, .held = kWhileConnecting};
+inline constexpr MemoryLine kOpenFaces{.per_cell = 1, .held = kAlways};
+inline constexpr MemoryLine kAdjacency{.per_cell = 55, .per_surface_cell = 22, .held = kAlways};
+inline constexpr MemoryLine kSweepOrder{.per_cell = 4, .held = kFromConnecting};
+inline constexpr MemoryLine kFormSlots{.per_cell = 4, .held = kWhileSettling};
+inline constexpr MemoryLine kPlaneForms{
+    .per_surface_cell = 16, .per_cell_of_several_normals = -16, .held = kWhileSettling};
+inline constexpr MemoryLine kGeneralForms{.per_cell_of_several_normals = 220, .held = kWhileSettling};
+inline constexpr MemoryLine kCoarserFrames{.per_cell = 6, .held = kWhileConnecting};
+inline constexpr MemoryLine kFrames{.per_cell = 16, .held = kFromSettling};
+inline constexpr MemoryLine kCoefficients{.per_cell = 36, .held = kFromSettling};
+inline constexpr MemoryLine kEnergyDensity{.per_cell = 4, .held = kWhileComparing};
+inline constexpr MemoryLine kSharpTurns{.per_cell = 1, .held = kWhileComparing};
 
 /// Only in a solve that may be stopped, so not in `kAll`: the finished level before the current one, about a
 /// quarter as large, with its tree, surface, guides, frames and energy density.
-inline constexpr MemoryLine kKeptLevel{
-    .structure = "the level before", .per_cell = 10, .per_piece = 2, .held = kAlways};
+inline constexpr MemoryLine kKeptLevel{.per_cell = 10, .per_piece = 2, .held = kAlways};
 
 /// Only on levels that are relaxed after the decision, so not in `kAll`: the frames before the relaxation.
-inline constexpr MemoryLine kUnrelaxedFrames{
-    .structure = "frames before the relaxation", .per_cell = 16, .held = kFromSettling};
+inline constexpr MemoryLine kUnrelaxedFrames{.per_cell = 16, .held = kFromSettling};
 
 inline constexpr std::array kAll{
     kTree,         kPieceBegin,    kPieces,    kWinding,      kFaceNeighbours, kParents,

@@ -95,7 +95,6 @@ std::vector<LooseLeaf> loose_leaves(const GridLevel& level, std::span<const Face
   return of_all(share, std::move(loose));
 }
 
-/// A loose leaf and the face to tie.
 struct Tie {
   std::size_t loose;
   int face;

@@ -81,6 +81,10 @@ LeafValues values_of(std::vector<T>& values) {
   return {std::as_writable_bytes(std::span(values)), sizeof(T)};
 }
 
+/// Below the energy of a turn by this angle, sweeps that run out are followed by more with this
+/// over-relaxation, which is better for errors that span the part (docs/notes/solver.md).
+constexpr double kCalmTurnDeg = 30, kCalmOverRelaxation = 1.9;
+
 }  // namespace
 
 template <int D>
@@ -134,14 +138,6 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   result.frames = std::move(state.frames);
   return result;
 }
-
-namespace {
-
-/// Below the energy of a turn by this angle, sweeps that run out are followed by more with this
-/// over-relaxation, which is better for errors that span the part (docs/notes/solver.md).
-constexpr double kCalmTurnDeg = 30, kCalmOverRelaxation = 1.9;
-
-}  // namespace
 
 template <class Options>
 SettlingPlan settling_plan(const Options& options, const Connectivity& connectivity, double volume,

@@ -69,6 +69,27 @@ void add_many_pieces(const GridLevel& level, const Solid& solid, CellIndex i, Qu
   });
 }
 
+/// Returns whether all normals are so close to one of them, n, that the class is kPlane by classify's default
+/// tolerances; no eigenvalues are needed. On the two harmonics with |m| = 2 about n, the form of a normal at
+/// an angle t to n is at most 4 sin^2 t. So two eigenvalues are at most the mean q of 4 sin^2 t. No
+/// eigenvalue is above 1 and all seven add up to 5, so the third is at least 1 - 2 q, which is far from the
+/// first two if q is at most 0.1.
+bool is_surely_plane(const GridLevel& level, const Solid& solid, CellIndex i) {
+  constexpr ClassificationTolerances kTolerances{};
+  constexpr double kLargest = std::min(kTolerances.same_eigenvalue, kTolerances.fits);
+  static_assert(1 - 2 * kLargest > kLargest + kTolerances.same_eigenvalue);
+  if (level.guides.has(i)) return false;
+  const auto pieces = level.pieces_of(i);
+  const Vector3 first = normal_of(level, solid, i, pieces[0]);
+  double sum = 0, area = 0;
+  for (const SurfacePiece& piece : pieces) {
+    const Vector3 off = cross(normal_of(level, solid, i, piece), first);
+    sum += piece.area * 4 * dot(off, off);
+    area += piece.area;
+  }
+  return sum < kLargest * area;
+}
+
 }  // namespace
 
 template <int D>
@@ -115,31 +136,6 @@ double constrained_area(const GridLevel& level, CellIndex i) {
   for (const LeafGuide& guide : level.guides.of(i)) area += guide.area;
   return area;
 }
-
-namespace {
-
-/// Returns whether all normals are so close to one of them, n, that the class is kPlane by classify's default
-/// tolerances; no eigenvalues are needed. On the two harmonics with |m| = 2 about n, the form of a normal at
-/// an angle t to n is at most 4 sin^2 t. So two eigenvalues are at most the mean q of 4 sin^2 t. No
-/// eigenvalue is above 1 and all seven add up to 5, so the third is at least 1 - 2 q, which is far from the
-/// first two if q is at most 0.1.
-bool is_surely_plane(const GridLevel& level, const Solid& solid, CellIndex i) {
-  constexpr ClassificationTolerances kTolerances{};
-  constexpr double kLargest = std::min(kTolerances.same_eigenvalue, kTolerances.fits);
-  static_assert(1 - 2 * kLargest > kLargest + kTolerances.same_eigenvalue);
-  if (level.guides.has(i)) return false;
-  const auto pieces = level.pieces_of(i);
-  const Vector3 first = normal_of(level, solid, i, pieces[0]);
-  double sum = 0, area = 0;
-  for (const SurfacePiece& piece : pieces) {
-    const Vector3 off = cross(normal_of(level, solid, i, piece), first);
-    sum += piece.area * 4 * dot(off, off);
-    area += piece.area;
-  }
-  return sum < kLargest * area;
-}
-
-}  // namespace
 
 ConstraintClass constraint_class(const GridLevel& level, const Solid& solid, CellIndex i) {
   if (has_single_normal(level, solid, i) || is_surely_plane(level, solid, i)) return ConstraintClass::kPlane;

@@ -72,7 +72,6 @@ constexpr std::array<std::uint32_t, 8> parents_around_octants() {
 
 constexpr auto kParentsAround = parents_around_octants();
 
-/// The slot of the cell at `step` from a child.
 int slot_beside(CellAddress child, const LeafSurroundings::Step& step) {
   return slot_of_octant(child.octant()) + step[0] + 4 * step[1] + 16 * step[2];
 }

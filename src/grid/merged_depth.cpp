@@ -15,17 +15,13 @@ int common_depth(CellAddress a, CellAddress b) {
 
 }  // namespace
 
-int merged_depth(const Octree& tree, std::size_t most, int deepest) {
-  return merged_depth(tree, most, deepest, whole_share(tree.size()));
-}
-
-int merged_depth(const Octree& tree, std::size_t most, int deepest, const Share& share) {
+int merged_depth(const Octree& tree, std::size_t most, int deepest, const Share& part) {
   // A leaf begins a new cell at each depth below that of the smallest cell that contains it and the previous
   // leaf.
   std::array<std::size_t, kMaxDepth + 2> first_at{};
   first_at[0] = tree.size() > 0 ? 1 : 0;
   for (CellIndex i = 1; i < tree.size(); ++i) ++first_at[common_depth(tree[i - 1], tree[i]) + 1];
-  add_up(share, std::span<std::size_t>(first_at));
+  add_up(part, std::span<std::size_t>(first_at));
   std::size_t cells = first_at[0];
   int depth = 0;
   while (depth < deepest && cells + first_at[depth + 1] <= most) cells += first_at[++depth];

@@ -38,6 +38,13 @@ std::vector<int> canonical(const std::vector<int>& border) {
   return best;
 }
 
+/// Number of quarter turns about `normal`, counter-clockwise, from one axis across it to another.
+int quarters(SignedAxis normal, SignedAxis from, SignedAxis to) {
+  if (from == to) return 0;
+  if (from == opposite(to)) return 2;
+  return cross_of(normal, from) == to ? 1 : 3;
+}
+
 }  // namespace
 
 MatchedField::MatchedField(const TetComplex& complex, std::span<const Quaternion> frames)
@@ -180,17 +187,6 @@ BoundaryTurn MatchedField::boundary_turn(std::uint32_t boundary_edge) const {
   }
   return turn;
 }
-
-namespace {
-
-/// Number of quarter turns about `normal`, counter-clockwise, from one axis across it to another.
-int quarters(SignedAxis normal, SignedAxis from, SignedAxis to) {
-  if (from == to) return 0;
-  if (from == opposite(to)) return 2;
-  return cross_of(normal, from) == to ? 1 : 3;
-}
-
-}  // namespace
 
 std::optional<MatchedField::Border> MatchedField::border_of(std::uint32_t vertex) const {
   // Seen from outside, counter-clockwise: the way from a face to the next through the solid is right-handed

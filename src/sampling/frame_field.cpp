@@ -21,7 +21,6 @@
 #include "singularity/singularity_graph.hpp"
 
 namespace crossgrain {
-
 namespace {
 
 /// Number of points that are sorted together: more points bring consecutive ones nearer. Takes 80 MB.
@@ -45,14 +44,19 @@ FrameField::Sample sample_of(const Sampler::Result& result, double singular_dist
   return {orthonormal_frame(result.frame), result.in_active_cell, result.deviation, singular_distance};
 }
 
-}  // namespace
-
-namespace {
-
 /// Throws unless a process has the whole field.
 void check_whole(const FieldData& data) {
   if (!data.part.is_whole())
     throw Error(ErrorKind::kUsage, "this is the part of one process; sample and analyse the whole field");
+}
+
+void check_points(std::span<const Vector3> points) {
+  const auto found = std::find_if_not(points.begin(), points.end(), [](const Vector3& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  });
+  if (found != points.end())
+    throw Error(ErrorKind::kUsage,
+                fmt::format("point {} has a coordinate that is not a finite number", found - points.begin()));
 }
 
 }  // namespace
@@ -151,19 +155,6 @@ const FrameField::Lazy& FrameField::ready_to_sample() const {
   });
   return *lazy_;
 }
-
-namespace {
-
-void check_points(std::span<const Vector3> points) {
-  const auto found = std::find_if_not(points.begin(), points.end(), [](const Vector3& p) {
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-  });
-  if (found != points.end())
-    throw Error(ErrorKind::kUsage,
-                fmt::format("point {} has a coordinate that is not a finite number", found - points.begin()));
-}
-
-}  // namespace
 
 FrameField::Sample FrameField::sample(const Vector3& point) const {
   check_points({&point, 1});

@@ -13,7 +13,6 @@
 namespace crossgrain {
 namespace {
 
-/// The bounding box of all leaves.
 Box bounds_of(const Octree& tree) {
   Box bounds = empty_box();
   for (const CellAddress leaf : tree.leaves()) {

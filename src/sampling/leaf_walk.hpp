@@ -6,7 +6,6 @@
 
 namespace crossgrain {
 
-/// The end of a walk.
 struct WalkEnd {
   CellIndex leaf;    ///< last leaf reached
   double share = 1;  ///< share of the segment: 1 at its end, less at a face that it does not pass

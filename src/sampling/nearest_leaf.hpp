@@ -7,7 +7,6 @@
 
 namespace crossgrain {
 
-/// Squared distance from a point to a closed box.
 double squared_distance(const Vector3& point, const Box& box);
 
 /// The leaf whose closed box is nearest to a point, the lowest of several; kNoCell in an empty tree. Searches

@@ -15,7 +15,6 @@
 
 namespace crossgrain {
 
-/// Frames on tets.
 struct FramesOnTets {
   const TetSolid& solid;
   std::span<const StiffnessEdge> edges;  ///< of the solid

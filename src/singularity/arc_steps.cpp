@@ -35,7 +35,6 @@ class MeanLine {
   std::array<Vector3, 3> sum_{};
 };
 
-/// Calls visit(step) for the steps near point `point`.
 template <class Visit>
 void for_steps_near(std::span<const ArcStep> steps, std::size_t point, bool is_closed, const Visit& visit) {
   const auto count = static_cast<std::ptrdiff_t>(steps.size()), middle = static_cast<std::ptrdiff_t>(point);

@@ -105,6 +105,17 @@ Verdict verdict_of(const Graph::Arc& arc, const Stretches& stretches) {
   return is_regular ? Verdict::kMeshable : Verdict::kUndecided;
 }
 
+std::vector<int> valences_of(std::span<const Graph::Arc* const> arcs) {
+  std::vector<int> valences;
+  for (const Graph::Arc* arc : arcs) valences.push_back(4 - static_cast<int>(std::lround(4 * arc->index)));
+  return valences;
+}
+
+bool has_arc_of(Verdict verdict, std::span<const Graph::Arc* const> arcs) {
+  return std::any_of(arcs.begin(), arcs.end(),
+                     [&](const Graph::Arc* arc) { return arc->verdict == verdict; });
+}
+
 }  // namespace
 
 Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singular,
@@ -136,21 +147,6 @@ Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singula
   out.verdict = verdict_of(out, stretches);
   return out;
 }
-
-namespace {
-
-std::vector<int> valences_of(std::span<const Graph::Arc* const> arcs) {
-  std::vector<int> valences;
-  for (const Graph::Arc* arc : arcs) valences.push_back(4 - static_cast<int>(std::lround(4 * arc->index)));
-  return valences;
-}
-
-bool has_arc_of(Verdict verdict, std::span<const Graph::Arc* const> arcs) {
-  return std::any_of(arcs.begin(), arcs.end(),
-                     [&](const Graph::Arc* arc) { return arc->verdict == verdict; });
-}
-
-}  // namespace
 
 Verdict node_verdict(std::span<const Graph::Arc* const> arcs) {
   if (has_arc_of(Verdict::kNotMeshable, arcs)) return Verdict::kNotMeshable;

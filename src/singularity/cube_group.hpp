@@ -26,10 +26,8 @@ inline SignedAxis cross_of(SignedAxis a, SignedAxis b) {
   return static_cast<SignedAxis>(negative ? k + 3 : k);
 }
 
-/// The signed axis of a frame nearest to a direction.
 SignedAxis nearest_axis(const Quaternion& frame, const Vector3& direction);
 
-/// A signed axis of a frame in space.
 inline Vector3 axis_in_space(const Quaternion& frame, SignedAxis axis) {
   const Vector3 direction = axes_of(frame)[axis % 3];
   return axis < 3 ? direction : -direction;

@@ -26,7 +26,6 @@ struct FrameTurn {
   /// same in either sense; its sense is that of the steps between the frames on the path.
   Vector3 axis{0, 0, 1};
 
-  /// Whether the rotation is about an axis of the frame.
   bool is_about_an_axis() const { return kind == Kind::kQuarter || kind == Kind::kHalf; }
 
   /// Whether the rotation is odd (CubeRotation::is_odd).

@@ -79,21 +79,17 @@ std::size_t contacts_of(const SingularEdges& singular, const MergedNetwork& netw
   return contacts;
 }
 
-}  // namespace
-
-const char* name_of(SingularityGraph::ArcType type) {
-  constexpr std::array kNames{"regular", "changing", "no_axis"};
-  return name_among<SingularityGraph::ArcType::kNoAxis>(kNames, type);
-}
-
-namespace {
-
 Verdict worse(Verdict a, Verdict b) {
   if (a == Verdict::kNotMeshable || b == Verdict::kNotMeshable) return Verdict::kNotMeshable;
   return a == Verdict::kUndecided || b == Verdict::kUndecided ? Verdict::kUndecided : Verdict::kMeshable;
 }
 
 }  // namespace
+
+const char* name_of(SingularityGraph::ArcType type) {
+  constexpr std::array kNames{"regular", "changing", "no_axis"};
+  return name_among<SingularityGraph::ArcType::kNoAxis>(kNames, type);
+}
 
 Verdict SingularityGraph::verdict() const {
   Verdict worst = Verdict::kMeshable;

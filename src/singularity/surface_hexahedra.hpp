@@ -27,10 +27,8 @@ struct CreaseVote {
   double length;
 };
 
-/// Returns the votes along a crease.
 using VotesAlong = std::function<std::vector<CreaseVote>(const SolidCrease& crease)>;
 
-/// The cells at the surface.
 struct SurfaceCells {
   std::function<double(std::uint32_t vertex)> size_at;  ///< model units
 

@@ -115,7 +115,6 @@ std::vector<PairOfEnds> near_pairs(const SingularEdges& singular) {
   return pairs;
 }
 
-/// A leaf and its open faces.
 struct OpenLeaf {
   CellAddress address;
   std::uint8_t open_faces;

@@ -33,7 +33,6 @@ class DecidedField {
   DecidedField(const DecidedField&) = delete;
   DecidedField& operator=(const DecidedField&) = delete;
 
-  /// The frame at a point of the model.
   Quaternion frame_at(const Vector3& point) const;
 
   /// What a solve of the same model begins with. Refers to this object.

@@ -68,7 +68,6 @@ SolveReport::AngleSummary turns_between(std::span<const Quaternion> before,
   return summary_of(std::move(angles));
 }
 
-/// The vertices on the arcs of a graph.
 std::set<std::int64_t> vertices_on(const SingularityGraph& graph) {
   std::set<std::int64_t> vertices;
   for (const SingularityGraph::Arc& arc : graph.arcs)

@@ -13,7 +13,6 @@
 
 namespace crossgrain {
 
-/// The data of a TetDomain.
 struct TetDomainData {
   TetSolid solid;
   std::vector<StiffnessEdge> edges;

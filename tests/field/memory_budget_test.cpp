@@ -59,7 +59,7 @@ class MemoryBudget : public ::testing::Test {
 
   /// To the byte, but for what a list has one more of than there are cells.
   void expect_exact(const MemoryLine& line, double allocated) const {
-    EXPECT_NEAR(allocated, line.bytes(counts_), 64) << line.structure;
+    EXPECT_NEAR(allocated, line.bytes(counts_), 64);
   }
 
   static constexpr double kFinestCell = 1.3 / 80;
