@@ -21,7 +21,6 @@ using Bytes = std::vector<std::byte>;
 
 void append_bytes(Bytes& message, std::span<const std::byte> bytes);
 
-/// Appends the values to a message.
 template <class T>
 void append_to(Bytes& message, std::span<const T> values) {
   static_assert(std::is_trivially_copyable_v<T>);

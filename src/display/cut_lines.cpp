@@ -57,7 +57,6 @@ struct Heading {
   std::uint8_t name;
 };
 
-/// The axes of a field on a cut.
 class CutField {
  public:
   CutField(const CutMesh& mesh, std::span<const AxisNames> names) : mesh_(mesh), names_(names) {

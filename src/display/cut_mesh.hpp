@@ -52,10 +52,8 @@ class CutMesh {
     return std::span(corners_).subspan(piece.first, piece.count);
   }
 
-  /// The frames of the pieces.
   const std::vector<Quaternion>& frames() const { return frames_; }
 
-  /// The piece at a point of the plane.
   std::optional<std::uint32_t> piece_at(const Vector3& point) const;
 
   /// Shared sides as links for name_axes.

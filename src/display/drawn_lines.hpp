@@ -29,7 +29,6 @@ inline double line_radius(double usual, double wall) {
   return wall * kLineShareOfWall < usual ? wall * kLineShareOfWall : usual;
 }
 
-/// An arc as it is drawn.
 struct DrawnLine {
   LineKind kind = LineKind::kThree;
   std::vector<Vector3> points;  ///< model units; a closed line ends with its first point

@@ -32,7 +32,6 @@ Barycentric mean_of(const Barycentric& a, const Barycentric& b) {
   return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
 }
 
-/// Cuts one triangle.
 class TriangleCutter {
  public:
   TriangleCutter(const SolvedSurface& surface, std::uint32_t triangle, const FieldData& field,

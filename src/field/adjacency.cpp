@@ -63,7 +63,6 @@ bool have_one_weight(const Neighbours& row, const WeightOf& weight_of) {
 
 }  // namespace
 
-/// Appends rows to one group.
 class RowPacker {
  public:
   explicit RowPacker(Adjacency::Group& group) : group_(group), places_(group.cells) {}

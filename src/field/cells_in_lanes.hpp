@@ -106,7 +106,6 @@ struct HeldAxes {
   }
 };
 
-/// Returns the frames of the cells, one per lane.
 template <class Real>
 BasicQuaternion<Real> from_stored(const std::vector<StoredQuaternion>& frames,
                                   const CellsInLanes<Real::kCount>& cells) {

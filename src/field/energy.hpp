@@ -44,7 +44,4 @@ LevelEnergy level_energy(const GridLevel& level, const Solid& solid, const Adjac
                          std::span<const StoredQuaternion> frames, double boundary_weight,
                          SharpTurns sharp_turns = SharpTurns::kLeftOut);
 
-extern template double graph_energy<3>(const FieldGraph<3>&, const FieldState<3>&);
-extern template double graph_energy<4>(const FieldGraph<4>&, const FieldState<4>&);
-
 }  // namespace crossgrain

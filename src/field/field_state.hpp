@@ -20,14 +20,10 @@ struct FieldState {
   std::size_t size() const { return frames.size(); }
 };
 
-/// Returns the frames with their coefficients.
 template <int D>
 FieldState<D> state_of(std::vector<StoredQuaternion> frames);
 
 /// Returns frames drawn uniformly from SO(3), each from `seed` and its index.
 std::vector<StoredQuaternion> random_frames(std::size_t count, std::uint64_t seed);
-
-extern template FieldState<3> state_of<3>(std::vector<StoredQuaternion>);
-extern template FieldState<4> state_of<4>(std::vector<StoredQuaternion>);
 
 }  // namespace crossgrain

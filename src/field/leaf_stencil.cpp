@@ -18,7 +18,6 @@ namespace {
 /// edge compute the same weight, and all weights inside the solid identical.
 constexpr int kShareSteps = 320;
 
-/// Computes the rows of neighbours of a level.
 class Stencil {
  public:
   Stencil(const GridLevel& level, std::span<const FaceNeighbours> neighbours,

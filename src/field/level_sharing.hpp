@@ -60,7 +60,6 @@ struct LevelStart : LevelStartNumbers {
 /// that is alone; src/distributed has that of several.
 class LevelSharing : public Interface {
  public:
-  /// A level, and frames of its leaves.
   struct Level {
     RefinedLevel made;
     std::vector<std::vector<StoredQuaternion>> frames;

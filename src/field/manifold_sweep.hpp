@@ -37,9 +37,4 @@ template <int D>
 std::vector<double> manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation,
                                    const RestingCells& resting = {});
 
-extern template std::vector<double> manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double,
-                                                      const RestingCells&);
-extern template std::vector<double> manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double,
-                                                      const RestingCells&);
-
 }  // namespace crossgrain

@@ -372,7 +372,6 @@ class NestedSolver {
     return finished_.candidates().size() == 1 && level.size() >= sharing_.fewest_leaves();
   }
 
-  /// Shares out a refined level with the frames of the only candidate.
   RefinedLevel shared_out(RefinedLevel made, int depth) {
     const LevelStart start{
         {depth, progress_.coarsest_depth(), is_uniform_, has_field_, initial_.relaxed, result_.expected},

@@ -61,7 +61,6 @@ struct InitialField {
   RelaxedLevels relaxed = {};
 };
 
-/// The place of a solve in a run.
 struct PlaceInRun {
   double seconds_before = 0;
 

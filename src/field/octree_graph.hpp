@@ -69,7 +69,4 @@ LeafConnections connect_leaves(const GridLevel& level, std::span<const FaceNeigh
 template <int D>
 CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double boundary_weight);
 
-extern template CellForms<3> boundary_forms<3>(const GridLevel&, const Solid&, double);
-extern template CellForms<4> boundary_forms<4>(const GridLevel&, const Solid&, double);
-
 }  // namespace crossgrain

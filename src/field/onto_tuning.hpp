@@ -57,7 +57,6 @@ struct OntoTuning {
   CalmFieldTuning calm_fields = {};
 };
 
-/// How a field is finished on tets.
 struct TetFinishing : OntoTuning {
   TetBoundary boundary = TetBoundary::kAll;
 };

@@ -33,11 +33,4 @@ void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double s
 template <int D>
 void project_to_frames(FieldState<D>& state);
 
-extern template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double, double,
-                                         std::span<const float>);
-extern template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double, double,
-                                         std::span<const float>);
-extern template void project_to_frames<3>(FieldState<3>&);
-extern template void project_to_frames<4>(FieldState<4>&);
-
 }  // namespace crossgrain

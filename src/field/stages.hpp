@@ -92,13 +92,4 @@ SettledFrames lower_settled(const FieldGraph<D>& graph, std::vector<StoredQuater
 /// Smaller decreases are meaningless.
 double rounding_noise(const Adjacency& adjacency, const Share& share);
 
-extern template std::vector<StoredQuaternion> relaxed<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,
-                                                         const RelaxationPlan&, const SweepMonitor&);
-extern template std::vector<StoredQuaternion> relaxed<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>,
-                                                         const RelaxationPlan&, const SweepMonitor&);
-extern template SettledFrames settled<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,
-                                         const SettlingPlan&, const SweepMonitor&);
-extern template SettledFrames settled<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>,
-                                         const SettlingPlan&, const SweepMonitor&);
-
 }  // namespace crossgrain

@@ -35,7 +35,4 @@ inline Coefficients<D> from_stored(const StoredCoefficients<D>& stored) {
 template <int D>
 std::vector<StoredCoefficients<D>> coefficients_of(std::span<const StoredQuaternion> frames);
 
-extern template std::vector<StoredCoefficients<3>> coefficients_of<3>(std::span<const StoredQuaternion>);
-extern template std::vector<StoredCoefficients<4>> coefficients_of<4>(std::span<const StoredQuaternion>);
-
 }  // namespace crossgrain

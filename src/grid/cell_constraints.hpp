@@ -13,9 +13,6 @@ namespace crossgrain {
 template <int D>
 QuadraticForm<D> cell_form(const GridLevel& level, const Solid& solid, CellIndex i);
 
-extern template QuadraticForm<3> cell_form<3>(const GridLevel&, const Solid&, CellIndex);
-extern template QuadraticForm<4> cell_form<4>(const GridLevel&, const Solid&, CellIndex);
-
 /// Returns the normal to which a piece in leaf `i` constrains frames: that of the true surface near the
 /// leaf's centre.
 inline Vector3 normal_of(const GridLevel& level, const Solid& solid, CellIndex i, const SurfacePiece& piece) {

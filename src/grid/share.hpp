@@ -63,7 +63,6 @@ struct Ghosts {
   static std::size_t index(const Share& share, std::size_t leaf) {
     return leaf < share.begin ? leaf : leaf - share.size();
   }
-  /// Returns the number of any leaf.
   std::uint64_t number(const Share& share, std::size_t leaf) const {
     return share.owns(leaf) ? share.before + (leaf - share.begin) : numbers[index(share, leaf)];
   }
@@ -78,7 +77,6 @@ struct Ghosts {
   }
 };
 
-/// Returns the values of own leaves.
 template <class T>
 std::vector<T> own_values(const Share& share, const std::vector<T>& values) {
   return {values.begin() + share.begin, values.begin() + share.end};
@@ -110,12 +108,10 @@ T smallest_of_all(const Share& share, const T& mine) {
   return *std::min_element(all.begin(), all.end());
 }
 
-/// Returns whether it is so in any rank.
 inline bool is_so_in_any(const Share& share, bool mine) {
   return largest_of_all<char>(share, mine ? 1 : 0) != 0;
 }
 
-/// Returns whether it is so in all ranks.
 inline bool is_so_in_all(const Share& share, bool mine) {
   return !is_so_in_any(share, !mine);
 }

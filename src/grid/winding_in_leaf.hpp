@@ -27,9 +27,4 @@ template <std::size_t N>
 WindingChanges<N> winding_changes(const GridLevel& level, const Solid& solid, CellIndex i,
                                   const PointsByAxis<N>& points);
 
-extern template WindingChanges<8> winding_changes<8>(const GridLevel&, const Solid&, CellIndex,
-                                                     const PointsByAxis<8>&);
-extern template WindingChanges<16> winding_changes<16>(const GridLevel&, const Solid&, CellIndex,
-                                                       const PointsByAxis<16>&);
-
 }  // namespace crossgrain

@@ -10,7 +10,6 @@
 
 namespace crossgrain {
 
-/// The angle of a piece that is excluded.
 inline constexpr float kExcludedAngle = -1;
 
 /// Mean, 95th percentile and maximum of equally weighted angles; none without angles.

@@ -22,7 +22,6 @@ inline constexpr std::array<std::array<std::uint8_t, 2>, 12> kHexEdges{
 inline constexpr std::array<std::array<std::uint8_t, 3>, 8> kHexNeighbours{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 
-/// A face of one hexahedron.
 struct HexSide {
   std::array<std::uint32_t, 4> vertices;  ///< outward
   std::uint32_t hexahedron;

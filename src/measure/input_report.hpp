@@ -7,7 +7,6 @@
 
 namespace crossgrain {
 
-/// The section `input` of the report.
 SolveReport::Input input_report(const MendedSurface& mended, const SurfaceFindings& findings);
 
 }  // namespace crossgrain

@@ -22,7 +22,6 @@ class ArcTubes {
   /// enters none. In units of the smallest possible cell.
   double share_to(CellIndex leaf, const Vector3& from, const Vector3& to) const;
 
-  /// Whether a point of `leaf` is in a tube.
   bool holds(CellIndex leaf, const Vector3& point) const { return share_to(leaf, point, point) < 1; }
 
  private:

@@ -26,7 +26,6 @@ constexpr double kCertainlyNearest = 0.95;
 /// computed side by side.
 constexpr std::size_t kSortedTogether = 64;
 
-/// One term in each lane.
 template <int W>
 struct TermsInLanes {
   BasicQuaternion<Lanes<W>> frame;

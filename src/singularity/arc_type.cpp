@@ -63,7 +63,6 @@ class Stretches {
   double positive_ = 0, negative_ = 0;  ///< the longest of either sign
 };
 
-/// The edges of an arc in order.
 class ArcWalk {
  public:
   ArcWalk(const MergedNetwork::Arc& arc, const SingularEdges& singular, const MergedNetwork& network,

@@ -46,7 +46,6 @@ class Chainer {
     }
   }
 
-  /// The chain that leaves `vertex` through `edge`.
   Chain traced(std::uint32_t vertex, std::uint32_t edge) {
     Chain chain{{vertex}, {}};
     while (!used_[edge]) {

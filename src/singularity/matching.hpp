@@ -30,7 +30,6 @@ CubeRotation operator*(const CubeRotation& a, const CubeRotation& b);
 
 CubeRotation inverse(const CubeRotation& a);
 
-/// The unit quaternion of the rotation.
 Quaternion to_quaternion(const CubeRotation& a);
 
 /// Where the axes go: axis k becomes axis |entry k|, counted from 1, with the sign of the entry.

@@ -17,7 +17,6 @@
 namespace crossgrain {
 namespace {
 
-/// Smallest number of cells along the longest side.
 constexpr int kSmallestResolution = 4;
 
 /// Range of the longest side in which cubes and inverse squares of cell sizes fit into single precision.
