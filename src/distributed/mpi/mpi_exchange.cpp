@@ -25,22 +25,22 @@ void for_each_part(std::span<Byte> bytes, const Visit& visit) {
     visit(bytes.data() + begin, static_cast<int>(std::min(kLongestPart, bytes.size() - begin)));
 }
 
-/// Adds the time of its life to a cost.
+/// Adds the time of its life to the work.
 class CallTimer {
  public:
-  explicit CallTimer(MpiExchange::Cost& cost, bool is_of_mailbox = false)
-      : cost_(cost),
+  explicit CallTimer(Processes::Work& work, bool is_of_mailbox = false)
+      : work_(work),
         is_of_mailbox_(is_of_mailbox),
         begin_(std::chrono::steady_clock::now()),
         processor_begin_(processor_seconds()) {}
   CallTimer(const CallTimer&) = delete;
   CallTimer& operator=(const CallTimer&) = delete;
   ~CallTimer() {
-    ++cost_.calls;
+    ++work_.calls_of_mpi;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin_;
-    cost_.seconds += seconds.count();
-    if (is_of_mailbox_) cost_.seconds_in_mailboxes += seconds.count();
-    cost_.processor_seconds += processor_seconds() - processor_begin_;
+    work_.seconds_in_mpi += seconds.count();
+    if (is_of_mailbox_) work_.seconds_waiting_in_sweeps += seconds.count();
+    work_.processor_seconds_in_mpi += processor_seconds() - processor_begin_;
   }
 
  private:
@@ -50,7 +50,7 @@ class CallTimer {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
   }
 
-  MpiExchange::Cost& cost_;
+  Processes::Work& work_;
   const bool is_of_mailbox_;
   const std::chrono::steady_clock::time_point begin_;
   const double processor_begin_;
@@ -80,10 +80,10 @@ class Requests {
 
 class MpiMailbox : public Mailbox {
  public:
-  MpiMailbox(MPI_Comm communicator, std::span<const Exchange::Expected> expected, MpiExchange::Cost& cost)
-      : communicator_(communicator), cost_(cost) {
-    const CallTimer timer(cost_, /*is_of_mailbox=*/true);
-    cost_.messages_of_last_mailbox = cost_.bytes_of_last_mailbox = 0;
+  MpiMailbox(MPI_Comm communicator, std::span<const Exchange::Expected> expected, Processes::Work& work)
+      : communicator_(communicator), work_(work) {
+    const CallTimer timer(work_, /*is_of_mailbox=*/true);
+    work_.messages_of_sweep = work_.bytes_of_sweep = 0;
     for (std::size_t message = 0; message < expected.size(); ++message) {
       parts_left_.push_back(0);
       for_each_part(expected[message].bytes, [&](std::byte* first, int count) {
@@ -109,10 +109,10 @@ class MpiMailbox : public Mailbox {
   }
 
   void send(int rank, int number, Bytes message) override {
-    const CallTimer timer(cost_, /*is_of_mailbox=*/true);
-    cost_.bytes_sent += message.size();
-    cost_.bytes_of_last_mailbox += message.size();
-    ++cost_.messages_of_last_mailbox;
+    const CallTimer timer(work_, /*is_of_mailbox=*/true);
+    work_.bytes_sent += message.size();
+    work_.bytes_of_sweep += message.size();
+    ++work_.messages_of_sweep;
     sent_.push_back(std::move(message));
     for_each_part(std::span<const std::byte>(sent_.back()), [&](const std::byte* first, int count) {
       MPI_Isend(first, count, MPI_BYTE, rank, kFirstMailboxTag + number, communicator_,
@@ -121,7 +121,7 @@ class MpiMailbox : public Mailbox {
   }
 
   std::vector<std::size_t> arrived(bool may_wait) override {
-    const CallTimer timer(cost_, /*is_of_mailbox=*/true);
+    const CallTimer timer(work_, /*is_of_mailbox=*/true);
     int count = 0;
     (may_wait ? MPI_Waitsome : MPI_Testsome)(static_cast<int>(receives_.size()), receives_.data(), &count,
                                              indices_.data(), MPI_STATUSES_IGNORE);
@@ -135,14 +135,14 @@ class MpiMailbox : public Mailbox {
   }
 
   void finish() override {
-    const CallTimer timer(cost_, /*is_of_mailbox=*/true);
+    const CallTimer timer(work_, /*is_of_mailbox=*/true);
     MPI_Waitall(static_cast<int>(sends_.size()), sends_.data(), MPI_STATUSES_IGNORE);
     is_finished_ = true;
   }
 
  private:
   MPI_Comm communicator_;
-  MpiExchange::Cost& cost_;
+  Processes::Work& work_;
   std::vector<MPI_Request> receives_, sends_;
   std::vector<std::size_t> message_of_;  ///< of each receive
   std::vector<int> parts_left_;          ///< of each message
@@ -154,7 +154,7 @@ class MpiMailbox : public Mailbox {
 }  // namespace
 
 std::unique_ptr<Mailbox> MpiExchange::mailbox(std::span<const Expected> expected) {
-  return std::make_unique<MpiMailbox>(communicator_, expected, cost_);
+  return std::make_unique<MpiMailbox>(communicator_, expected, work_);
 }
 
 MpiExchange::MpiExchange(MPI_Comm communicator) : communicator_(communicator) {
@@ -163,8 +163,8 @@ MpiExchange::MpiExchange(MPI_Comm communicator) : communicator_(communicator) {
 }
 
 std::vector<Bytes> MpiExchange::gathered(std::span<const std::byte> mine) {
-  const CallTimer timer(cost_);
-  cost_.bytes_sent += mine.size() * static_cast<std::size_t>(ranks_ - 1);
+  const CallTimer timer(work_);
+  work_.bytes_sent += mine.size() * static_cast<std::size_t>(ranks_ - 1);
   const auto ranks = static_cast<std::size_t>(ranks_);
   const std::uint64_t size = mine.size();
   std::vector<std::uint64_t> sizes(ranks);
@@ -193,7 +193,7 @@ std::vector<Bytes> MpiExchange::gathered(std::span<const std::byte> mine) {
 }
 
 std::vector<Bytes> MpiExchange::delivered(std::vector<Bytes> to) {
-  const CallTimer timer(cost_);
+  const CallTimer timer(work_);
   const auto ranks = static_cast<std::size_t>(ranks_);
   std::vector<std::uint64_t> sent(ranks), received(ranks);
   for (std::size_t r = 0; r < ranks; ++r) sent[r] = to[r].size();
@@ -208,7 +208,7 @@ std::vector<Bytes> MpiExchange::delivered(std::vector<Bytes> to) {
   for (std::size_t r = 0; r < ranks; ++r) {
     if (static_cast<int>(r) == rank_) continue;
     requests.send(static_cast<int>(r), to[r]);
-    cost_.bytes_sent += to[r].size();
+    work_.bytes_sent += to[r].size();
   }
   from[static_cast<std::size_t>(rank_)] = std::move(to[static_cast<std::size_t>(rank_)]);
   requests.wait();
@@ -216,8 +216,8 @@ std::vector<Bytes> MpiExchange::delivered(std::vector<Bytes> to) {
 }
 
 void MpiExchange::swap(std::span<const Sent> sent, std::span<const Received> received) {
-  const CallTimer timer(cost_);
-  for (const Sent& message : sent) cost_.bytes_sent += message.bytes.size();
+  const CallTimer timer(work_);
+  for (const Sent& message : sent) work_.bytes_sent += message.bytes.size();
   Requests requests(communicator_);
   for (const Received& message : received) requests.receive(message.rank, message.bytes);
   for (const Sent& message : sent) requests.send(message.rank, message.bytes);

@@ -4,12 +4,12 @@
 
 #include <mpi.h>
 
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "base/exchange.hpp"
+#include "crossgrain/processes.hpp"
 
 namespace crossgrain {
 
@@ -25,19 +25,14 @@ class MpiExchange : public Exchange {
   void swap(std::span<const Sent> sent, std::span<const Received> received) override;
   std::unique_ptr<Mailbox> mailbox(std::span<const Expected> expected) override;
 
-  /// What calls have taken so far. Waiting for other processes takes processor time too.
-  struct Cost {
-    double seconds = 0, processor_seconds = 0;
-    double seconds_in_mailboxes = 0;  ///< part of `seconds`
-    std::uint64_t calls = 0, bytes_sent = 0;
-    std::uint64_t messages_of_last_mailbox = 0, bytes_of_last_mailbox = 0;  ///< sent
-  };
-  const Cost& cost() const { return cost_; }
+  /// What calls have taken so far, and the last mailbox. Waiting for other processes takes processor time
+  /// too.
+  const Processes::Work& work() const { return work_; }
 
  private:
   MPI_Comm communicator_;
   int rank_ = 0, ranks_ = 1;
-  Cost cost_;
+  Processes::Work work_;
 };
 
 }  // namespace crossgrain

@@ -73,16 +73,8 @@ std::vector<Processes::Work> Processes::work() {
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
-  const MpiExchange::Cost cost = state_->exchange.cost();
-  Work mine;
+  Work mine = state_->exchange.work();
   mine.processor_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  mine.seconds_in_mpi = cost.seconds;
-  mine.processor_seconds_in_mpi = cost.processor_seconds;
-  mine.seconds_waiting_in_sweeps = cost.seconds_in_mailboxes;
-  mine.messages_of_sweep = cost.messages_of_last_mailbox;
-  mine.bytes_of_sweep = cost.bytes_of_last_mailbox;
-  mine.calls_of_mpi = cost.calls;
-  mine.bytes_sent = cost.bytes_sent;
   mine.cells = state_->finest.own;
   mine.ghosts = state_->finest.ghosts;
   mine.peak_memory_bytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
