@@ -23,8 +23,7 @@ std::uint64_t corner_code(CellAddress cell, std::size_t octant) {
 }  // namespace
 
 CornersOfLeaves::CornersOfLeaves(const FieldData& field) : rows_(field.tree.size(), 0) {
-  const std::ptrdiff_t inner =
-      std::count(field.on_boundary.begin(), field.on_boundary.end(), std::uint8_t{0});
+  const std::ptrdiff_t inner = std::ranges::count(field.on_boundary, std::uint8_t{0});
   leaves_.reserve(field.tree.size() - static_cast<std::size_t>(inner));
   for (CellIndex i = 0; i < field.tree.size(); ++i) {
     if (field.on_boundary[i] == 0) continue;
@@ -38,8 +37,7 @@ CornersOfLeaves::CornersOfLeaves(const FieldData& field) : rows_(field.tree.size
   sort_uniquely(sorted);
   index_.resize(8 * leaves_.size());
   parallel_for(index_.size(), [&](std::size_t k) {
-    index_[k] = static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), code_of(k)) -
-                                           sorted.begin());
+    index_[k] = static_cast<std::uint32_t>(std::ranges::lower_bound(sorted, code_of(k)) - sorted.begin());
   });
   size_ = sorted.size();
 }

@@ -38,13 +38,12 @@ std::vector<int> numbers_of_files(const std::string& folder, const std::string& 
     const std::string file = entry.path().filename().string();
     if (!file.starts_with(name)) continue;
     const std::string digits = file.substr(name.size());
-    const bool is_number =
-        !digits.empty() && digits.size() <= 2 &&
-        std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const bool is_number = !digits.empty() && digits.size() <= 2 &&
+                           std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
     if (is_number) numbers.push_back(std::stoi(digits));
   }
   if (error) refuse_checkpoint(folder, error.message(), Remedy::kGiveCheckpoint);
-  std::sort(numbers.begin(), numbers.end());
+  std::ranges::sort(numbers);
   return numbers;
 }
 

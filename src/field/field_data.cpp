@@ -70,10 +70,9 @@ void unite_cells(FieldData& data, int depth) {
     for (owner = 0; owner < own_rank; ++owner)
       if (last[owner].exists && last[owner].cell == first) break;
     if (owner != own_rank)
-      moved =
-          static_cast<std::size_t>(std::find_if(leaves.begin(), leaves.end(),
-                                                [&](CellAddress leaf) { return cell_of(leaf) != first; }) -
-                                   leaves.begin());
+      moved = static_cast<std::size_t>(
+          std::ranges::find_if(leaves, [&](CellAddress leaf) { return cell_of(leaf) != first; }) -
+          leaves.begin());
   }
   change_leaves(data, [&]<class T>(std::vector<T>& values) {
     std::vector<Bytes> to(static_cast<std::size_t>(exchange.ranks()));

@@ -23,9 +23,7 @@ void check_count(std::size_t count, std::size_t most, const char* what) {
 
 Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell) {
   const std::size_t colour_count =
-      colour_of_cell.empty()
-          ? 0
-          : std::size_t{*std::max_element(colour_of_cell.begin(), colour_of_cell.end())} + 1;
+      colour_of_cell.empty() ? 0 : std::size_t{*std::ranges::max_element(colour_of_cell)} + 1;
   Colouring colouring;
   colouring.begin.assign(colour_count + 1, 0);
   for (const std::uint8_t colour : colour_of_cell) ++colouring.begin[colour + 1];
@@ -46,8 +44,7 @@ Colouring greedy_colouring(const Adjacency& adjacency) {
     for (const Adjacency::Neighbour& neighbour : adjacency[i]) {
       if (neighbour.cell < i) taken_by[colours[neighbour.cell]] = i;
     }
-    const auto free =
-        std::find_if(taken_by.begin(), taken_by.end(), [i](std::uint32_t by) { return by != i; });
+    const auto free = std::ranges::find_if(taken_by, [i](std::uint32_t by) { return by != i; });
     if (free == taken_by.end())
       throw Error(ErrorKind::kLimit, "a vertex has too many neighbours: more than 256 colours are needed",
                   Remedy::kSplitTets);

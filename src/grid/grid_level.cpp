@@ -214,11 +214,10 @@ RefinedLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::siz
       [&](std::size_t r) {
         RefinedRun run = std::move(runs[r]);
         const auto at = static_cast<std::ptrdiff_t>(leaf_begin[r]);
-        std::copy(run.leaves.begin(), run.leaves.end(), leaves.begin() + at);
-        std::copy(run.centre_winding.begin(), run.centre_winding.end(), level.centre_winding.begin() + at);
-        std::copy(run.parent.begin(), run.parent.end(), made.parent.begin() + at);
-        std::copy(run.pieces.begin(), run.pieces.end(),
-                  level.pieces.begin() + static_cast<std::ptrdiff_t>(piece_begin[r]));
+        std::ranges::copy(run.leaves, leaves.begin() + at);
+        std::ranges::copy(run.centre_winding, level.centre_winding.begin() + at);
+        std::ranges::copy(run.parent, made.parent.begin() + at);
+        std::ranges::copy(run.pieces, level.pieces.begin() + static_cast<std::ptrdiff_t>(piece_begin[r]));
         auto pieces_before = static_cast<std::uint32_t>(piece_begin[r]);
         for (std::size_t k = 0; k < run.leaves.size(); ++k)
           level.piece_begin[leaf_begin[r] + k + 1] = pieces_before += run.piece_counts[k];
@@ -287,7 +286,7 @@ RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> nei
   finer.neighbours = face_neighbours({level.tree, neighbours, marked}, finer.level.tree, finer.parent);
   if (!share.is_whole()) {
     const auto index_of_first = [&](CellIndex parent) {
-      const auto first = std::lower_bound(finer.parent.begin(), finer.parent.end(), parent);
+      const auto first = std::ranges::lower_bound(finer.parent, parent);
       return static_cast<CellIndex>(first - finer.parent.begin());
     };
     finer.level.part = Share{index_of_first(share.begin), index_of_first(share.end), 0, 0, share.exchange};

@@ -130,7 +130,7 @@ std::vector<std::vector<LeafGuide>> along_segments(const Octree& tree, const Seg
     std::vector<Passage> passages;
     walker.walk(segments[s], passages);
     for (const Passage& passage : passages) {
-      if (!std::binary_search(left_out.begin(), left_out.end(), passage.leaf))
+      if (!std::ranges::binary_search(left_out, passage.leaf))
         pieces.push_back(guide_of(tree, segments[s], passage));
     }
   });
@@ -205,14 +205,13 @@ LeafGuides::LeafGuides(const Octree& tree, const Guides& guides, double finest) 
   const SegmentWalker walker(tree, finest);
   std::vector<CellIndex> corners;
   for (const Vector3& corner : guides.corners) corners.push_back(walker.leaf_at(corner));
-  std::sort(corners.begin(), corners.end());
+  std::ranges::sort(corners);
 
   append(guides_, along_segments(tree, walker, guides.creases, corners));
   append(guides_, along_segments(tree, walker, guides.segments, {}));
   append(guides_, on_faces(tree, guides.faces));
   append(guides_, {guides_at_points(tree, guides.points)});
-  std::stable_sort(guides_.begin(), guides_.end(),
-                   [](const LeafGuide& a, const LeafGuide& b) { return a.leaf < b.leaf; });
+  std::ranges::stable_sort(guides_, {}, &LeafGuide::leaf);
 
   begin_.resize(tree.size() / kLeavesPerBegin + 2);
   for (const LeafGuide& guide : guides_) ++begin_[guide.leaf / kLeavesPerBegin + 1];

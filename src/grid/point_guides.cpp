@@ -67,8 +67,7 @@ std::vector<PlacedPoint> placed_points(const Octree& tree, const std::vector<Gui
   });
   std::vector<PlacedPoint> placed;
   for (const auto& run : runs) placed.insert(placed.end(), run.begin(), run.end());
-  std::stable_sort(placed.begin(), placed.end(),
-                   [](const PlacedPoint& a, const PlacedPoint& b) { return a.leaf < b.leaf; });
+  std::ranges::stable_sort(placed, {}, &PlacedPoint::leaf);
   return placed;
 }
 

@@ -102,8 +102,7 @@ SolveReport::AngleSummary summary_of(std::vector<double> angles) {
 
 SolveReport::AngleSummary summary_of(std::vector<WeightedAngle> angles) {
   if (angles.empty()) return {};
-  std::stable_sort(angles.begin(), angles.end(),
-                   [](const WeightedAngle& a, const WeightedAngle& b) { return a.angle_deg < b.angle_deg; });
+  std::ranges::stable_sort(angles, {}, &WeightedAngle::angle_deg);
   double weighted = 0, weight = 0;
   for (const WeightedAngle& angle : angles) {
     weighted += angle.weight * angle.angle_deg;

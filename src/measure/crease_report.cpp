@@ -69,7 +69,7 @@ std::vector<CreaseCurve> without_repeats(const std::vector<CreaseCurve>& curves)
   std::vector<CreaseCurve> result;
   for (const CreaseCurve& curve : curves) {
     std::vector<Vector3> points = curve.points;
-    if (!points.empty() && points.back() < points.front()) std::reverse(points.begin(), points.end());
+    if (!points.empty() && points.back() < points.front()) std::ranges::reverse(points);
     if (seen.insert(std::move(points)).second) result.push_back(curve);
   }
   return result;
@@ -119,10 +119,9 @@ SolveReport::Creases crease_report(const CreaseNetwork& creases, const PlaceSamp
 
 std::vector<Warning> crease_warnings(const CreaseNetwork& creases) {
   std::vector<Warning> warnings;
-  const auto crowded = std::find_if(creases.corners.begin(), creases.corners.end(), is_crowded);
+  const auto crowded = std::ranges::find_if(creases.corners, is_crowded);
   if (crowded != creases.corners.end()) {
-    const auto count =
-        static_cast<std::size_t>(std::count_if(creases.corners.begin(), creases.corners.end(), is_crowded));
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(creases.corners, is_crowded));
     const auto& [x, y, z] = crowded->position;
     warnings.emplace_back(
         WarningKind::kCrowdedCorners,

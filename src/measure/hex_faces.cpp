@@ -16,7 +16,6 @@ using Edge = std::array<std::uint32_t, 2>;
 struct Use {
   Quad sorted;
   HexSide side;
-  bool operator<(const Use& other) const { return sorted < other.sorted; }
 };
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) {
@@ -25,7 +24,7 @@ Edge edge_of(std::uint32_t a, std::uint32_t b) {
 
 /// Whether two faces of the same vertices turn opposite ways around.
 bool are_opposite(const Quad& a, const Quad& b) {
-  const auto at = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+  const auto at = static_cast<std::size_t>(std::ranges::find(b, a[0]) - b.begin());
   return a[1] == b[(at + 3) % 4] && a[2] == b[(at + 2) % 4];
 }
 
@@ -38,11 +37,11 @@ std::vector<Use> uses_of(const HexMesh& mesh) {
       for (std::size_t k = 0; k < 4; ++k) use.side.vertices[k] = mesh.hexahedra[h][face[k]];
       use.side.hexahedron = h;
       use.sorted = use.side.vertices;
-      std::sort(use.sorted.begin(), use.sorted.end());
+      std::ranges::sort(use.sorted);
       uses.push_back(use);
     }
   }
-  std::stable_sort(uses.begin(), uses.end());
+  std::ranges::stable_sort(uses, {}, &Use::sorted);
   return uses;
 }
 
@@ -60,8 +59,7 @@ void find_boundary(const HexMesh& mesh, HexTopology& topology) {
     }
     k = end;
   }
-  std::stable_sort(topology.boundary.begin(), topology.boundary.end(),
-                   [](const HexSide& a, const HexSide& b) { return a.hexahedron < b.hexahedron; });
+  std::ranges::stable_sort(topology.boundary, {}, &HexSide::hexahedron);
 }
 
 std::map<Edge, std::vector<std::uint32_t>> boundary_edges(const HexTopology& topology) {
@@ -79,8 +77,7 @@ std::size_t count_pinched(const HexTopology& topology,
   DisjointSets corners(static_cast<std::uint32_t>(4 * topology.boundary.size()));
   const auto corner_at = [&](std::uint32_t face, std::uint32_t vertex) {
     const Quad& quad = topology.boundary[face].vertices;
-    return static_cast<std::uint32_t>(4 * face +
-                                      (std::find(quad.begin(), quad.end(), vertex) - quad.begin()));
+    return static_cast<std::uint32_t>(4 * face + (std::ranges::find(quad, vertex) - quad.begin()));
   };
   for (const auto& [edge, faces] : edges)
     for (std::size_t k = 1; k < faces.size(); ++k)
@@ -116,7 +113,7 @@ HexTopology topology_of(const HexMesh& mesh) {
   uses.reserve(kHexEdges.size() * mesh.hexahedra.size());
   for (const auto& hexahedron : mesh.hexahedra)
     for (const auto& [a, b] : kHexEdges) uses.push_back(edge_of(hexahedron[a], hexahedron[b]));
-  std::sort(uses.begin(), uses.end());
+  std::ranges::sort(uses);
   for (std::size_t k = 0; k < uses.size();) {
     std::size_t end = k;
     while (end < uses.size() && uses[end] == uses[k]) ++end;

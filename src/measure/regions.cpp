@@ -52,8 +52,8 @@ std::vector<std::unique_ptr<SolidBody>> bodies_of(const TriangleMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (shape_of(corners_of(mesh.triangles[t], mesh.vertices)).area > 0) order.push_back(t);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return mesh.solids[a] < mesh.solids[b]; });
+  std::ranges::stable_sort(order,
+                           [&](std::uint32_t a, std::uint32_t b) { return mesh.solids[a] < mesh.solids[b]; });
   std::vector<std::unique_ptr<SolidBody>> bodies;
   std::vector<std::uint32_t> new_index(mesh.vertices.size(), kNone);
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
@@ -161,20 +161,19 @@ class RegionFinder {
   std::uint32_t likeliest_at(const Vector3& point) const {
     std::vector<double> windings;
     for (const auto& body : bodies_) windings.push_back(body->winding.at(point));
-    return static_cast<std::uint32_t>(std::max_element(windings.begin(), windings.end()) - windings.begin());
+    return static_cast<std::uint32_t>(std::ranges::max_element(windings) - windings.begin());
   }
 
   std::uint32_t of_most_surface(CellIndex leaf) const {
     std::vector<double> areas(bodies_.size());
     for (const SurfacePiece& piece : level_.pieces_of(leaf))
       areas[body_of(outer_.mesh.solids[piece.triangle])] += piece.area;
-    return static_cast<std::uint32_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
+    return static_cast<std::uint32_t>(std::ranges::max_element(areas) - areas.begin());
   }
 
   std::size_t body_of(std::int32_t solid) const {
     const auto found =
-        std::lower_bound(bodies_.begin(), bodies_.end(), solid,
-                         [](const auto& body, std::int32_t number) { return body->number < number; });
+        std::ranges::lower_bound(bodies_, solid, {}, [](const auto& body) { return body->number; });
     return static_cast<std::size_t>(found - bodies_.begin());
   }
 
@@ -193,8 +192,8 @@ struct Contested {
 Contested contested_leaves(const std::vector<std::uint8_t>& contested, const GridLevel& level) {
   const Share share = level.share();
   Contested here;
-  here.count = static_cast<std::size_t>(std::count(contested.begin(), contested.end(), 1));
-  const auto first = std::find(contested.begin(), contested.end(), 1);
+  here.count = static_cast<std::size_t>(std::ranges::count(contested, 1));
+  const auto first = std::ranges::find(contested, 1);
   if (here.count > 0)
     here.first = level.tree.centre(static_cast<CellIndex>(share.begin + (first - contested.begin())));
   Contested all;
@@ -250,13 +249,12 @@ CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const G
         Remedy::kGlueSolids);
   }
   const auto empty = [](const SolveReport::Region& region) { return region.cells == 0; };
-  const auto none = std::find_if(result.regions.begin(), result.regions.end(), empty);
+  const auto none = std::ranges::find_if(result.regions, empty);
   if (none != result.regions.end()) {
     result.warnings.emplace_back(
         WarningKind::kEmptySolids,
         fmt::format("solids too small to hold a cell: {} of {}, the first is region {}",
-                    std::count_if(result.regions.begin(), result.regions.end(), empty), result.regions.size(),
-                    none->region),
+                    std::ranges::count_if(result.regions, empty), result.regions.size(), none->region),
         Remedy::kRaiseResolution);
   }
   return result;

@@ -76,8 +76,7 @@ class ArcDistance::Builder {
     add_row(result_.boxes_, box.low - margin, box.high + margin, 0);
     if (end - begin > kLeafSegments) {
       const Vector3 extent = box.high - box.low;
-      const auto axis =
-          static_cast<std::size_t>(std::max_element(extent.begin(), extent.end()) - extent.begin());
+      const auto axis = static_cast<std::size_t>(std::ranges::max_element(extent) - extent.begin());
       const std::size_t middle = begin + (end - begin) / 2;
       const auto at = [&](std::size_t k) { return segments_.begin() + static_cast<std::ptrdiff_t>(k); };
       std::nth_element(at(begin), at(middle), at(end), [&](const Segment& a, const Segment& b) {
@@ -181,7 +180,7 @@ double ArcDistance::at(const Vector3& point) const {
 
 void ArcDistance::at(std::span<const Vector3> points, std::span<double> distances) const {
   if (nodes_.empty()) {
-    std::fill(distances.begin(), distances.end(), std::numeric_limits<double>::infinity());
+    std::ranges::fill(distances, std::numeric_limits<double>::infinity());
     return;
   }
   run_in_lanes([&]<int W>() {

@@ -49,8 +49,7 @@ class NearestLeafSearch {
       children[octant] = {child, begin, after, distance_to(child)};
       begin = after;
     }
-    std::stable_sort(children.begin(), children.end(),
-                     [](const Child& a, const Child& b) { return a.squared_distance < b.squared_distance; });
+    std::ranges::stable_sort(children, {}, &Child::squared_distance);
     for (const Child& child : children) {
       if (child.squared_distance <= best_squared_distance_) visit(child.cell, child.first, child.last);
     }

@@ -111,8 +111,7 @@ std::vector<int> valences_of(std::span<const Graph::Arc* const> arcs) {
 }
 
 bool has_arc_of(Verdict verdict, std::span<const Graph::Arc* const> arcs) {
-  return std::any_of(arcs.begin(), arcs.end(),
-                     [&](const Graph::Arc* arc) { return arc->verdict == verdict; });
+  return std::ranges::any_of(arcs, [&](const Graph::Arc* arc) { return arc->verdict == verdict; });
 }
 
 }  // namespace

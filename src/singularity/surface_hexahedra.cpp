@@ -33,8 +33,8 @@ std::vector<int> numbers_near(double angle_deg) {
   std::vector<int> numbers;
   for (int k = 0; k <= 4; ++k)
     if (std::abs(angle_deg - 90 * k) < 45 + kRoundingDeg) numbers.push_back(k);
-  std::sort(numbers.begin(), numbers.end(),
-            [&](int a, int b) { return std::abs(angle_deg - 90 * a) < std::abs(angle_deg - 90 * b); });
+  std::ranges::sort(
+      numbers, [&](int a, int b) { return std::abs(angle_deg - 90 * a) < std::abs(angle_deg - 90 * b); });
   return numbers;
 }
 
@@ -76,9 +76,8 @@ class SurfaceJudge {
  private:
   JudgedCrease judged(const SolidCrease& crease, const std::vector<CreaseVote>& votes) const {
     JudgedCrease result{numbers_near(crease.mean_angle_deg)};
-    result.hexahedra = *std::max_element(result.numbers.begin(), result.numbers.end(), [&](int a, int b) {
-      return length_of(votes, a) < length_of(votes, b);
-    });
+    result.hexahedra = *std::ranges::max_element(
+        result.numbers, [&](int a, int b) { return length_of(votes, a) < length_of(votes, b); });
     double all = 0;
     for (const CreaseVote& vote : votes) all += vote.length;
     result.followed = all > 0 ? length_of(votes, result.hexahedra) / all : 0;
@@ -111,10 +110,9 @@ class SurfaceJudge {
   bool has_other_than_flat(const SolidCorner& corner) const {
     const auto is_resolved = [&](std::uint32_t c) { return judged_[c].is_resolved; };
     const auto& creases = corner.creases;
-    const bool is_seen = std::any_of(creases.begin(), creases.end(), is_resolved);
+    const bool is_seen = std::ranges::any_of(creases, is_resolved);
     if (!is_seen && (creases.size() == 1 || !cells_.see_all)) return false;
-    return std::any_of(creases.begin(), creases.end(),
-                       [&](std::uint32_t c) { return !judged_[c].is_flat(); });
+    return std::ranges::any_of(creases, [&](std::uint32_t c) { return !judged_[c].is_flat(); });
   }
 
   Summary::Corner described(const SolidCorner& corner) {
@@ -144,7 +142,7 @@ class SurfaceJudge {
         if (const double index = graph_.arcs[a].index; index != 0)
           ends.push_back({distance, 4 - static_cast<int>(std::lround(4 * index))});
     }
-    std::sort(ends.begin(), ends.end());
+    std::ranges::sort(ends);
     std::vector<int> valences;
     for (std::size_t k = 0; k < std::min(ends.size(), kMostArcs); ++k) valences.push_back(ends[k].second);
     return valences;
@@ -196,7 +194,7 @@ class SurfaceJudge {
     for (const SolidCrease::Edge* edge : {&edges.front(), &edges.back()}) {
       if (edge->ends[0] != vertex && edge->ends[1] != vertex) continue;
       for (const int k : numbers_near(edge->angle_deg))
-        if (std::find(numbers.begin(), numbers.end(), k) == numbers.end()) numbers.push_back(k);
+        if (std::ranges::find(numbers, k) == numbers.end()) numbers.push_back(k);
     }
     return numbers;
   }

@@ -35,21 +35,19 @@ class TetFan {
 
  private:
   static std::uint32_t third(const Face& face, const std::array<std::uint32_t, 2>& edge) {
-    return *std::find_if(face.begin(), face.end(),
-                         [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
+    return *std::ranges::find_if(face, [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
   }
 
   static std::uint32_t fourth(const std::array<std::uint32_t, 4>& tet,
                               const std::array<std::uint32_t, 2>& edge, std::uint32_t other) {
-    return *std::find_if(tet.begin(), tet.end(),
-                         [&](std::uint32_t v) { return v != edge[0] && v != edge[1] && v != other; });
+    return *std::ranges::find_if(tet,
+                                 [&](std::uint32_t v) { return v != edge[0] && v != edge[1] && v != other; });
   }
 
   const TetSolid::InnerFace* inner_face(Face vertices) const {
-    std::sort(vertices.begin(), vertices.end());
-    const auto face = std::lower_bound(
-        solid_.inner_faces.begin(), solid_.inner_faces.end(), vertices,
-        [](const TetSolid::InnerFace& inner, const Face& wanted) { return inner.vertices < wanted; });
+    std::ranges::sort(vertices);
+    const auto face =
+        std::ranges::lower_bound(solid_.inner_faces, vertices, {}, &TetSolid::InnerFace::vertices);
     return face != solid_.inner_faces.end() && face->vertices == vertices ? &*face : nullptr;
   }
 

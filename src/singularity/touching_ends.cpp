@@ -45,8 +45,7 @@ class LeavesNear {
     for (std::uint32_t k = 0; k < leaves_.size(); ++k) {
       for (int face = 0; face < kFaceCount; ++face) {
         if (!(open_faces[leaves_[k]] >> face & 1)) continue;
-        const auto other =
-            std::lower_bound(leaves_.begin(), leaves_.end(), tree_.neighbour(leaves_[k], face));
+        const auto other = std::ranges::lower_bound(leaves_, tree_.neighbour(leaves_[k], face));
         if (other != leaves_.end() && *other == tree_.neighbour(leaves_[k], face))
           sets.join(k, static_cast<std::uint32_t>(other - leaves_.begin()));
       }
@@ -99,7 +98,7 @@ std::vector<PairOfEnds> near_pairs(const SingularEdges& singular) {
     largest = std::max(largest, singular.points[p].cell_size);
   }
   const auto place = [&](std::uint32_t p) -> const Vector3& { return singular.points[p].place; };
-  std::sort(ends.begin(), ends.end(), [&](std::uint32_t a, std::uint32_t b) {
+  std::ranges::sort(ends, [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(place(a)[0], a) < std::pair(place(b)[0], b);
   });
   std::vector<PairOfEnds> pairs;
@@ -156,7 +155,7 @@ std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& sin
     const SingularEdges::Point &a = singular.points[pair.a], &b = singular.points[pair.b];
     return !LeavesNear(tree, a, b).join(a, b, open_faces);
   });
-  std::sort(pairs.begin(), pairs.end());
+  std::ranges::sort(pairs);
   std::vector<std::array<std::uint32_t, 2>> result;
   for (const PairOfEnds& pair : pairs) result.push_back({pair.a, pair.b});
   return result;

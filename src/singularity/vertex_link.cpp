@@ -38,8 +38,7 @@ class LinkSearch {
     Polygon polygon = std::move(open_.back());
     open_.pop_back();
     const auto needs_fewer = [&](std::uint32_t a, std::uint32_t b) { return left_[a] < left_[b]; };
-    std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), needs_fewer),
-                polygon.end());
+    std::rotate(polygon.begin(), std::ranges::min_element(polygon, needs_fewer), polygon.end());
     const bool found = left_[polygon[0]] > 0 && (closes_on_border(polygon) || closes_on_new_vertex(polygon));
     open_.push_back(std::move(polygon));
     return found;
@@ -49,8 +48,8 @@ class LinkSearch {
   using Polygon = std::vector<std::uint32_t>;
 
   bool is_complete() const {
-    return std::all_of(left_.begin(), left_.end(), [](int left) { return left == 0; }) &&
-           std::all_of(unused_.begin(), unused_.end(), [](int count) { return count == 0; });
+    return std::ranges::all_of(left_, [](int left) { return left == 0; }) &&
+           std::ranges::all_of(unused_, [](int count) { return count == 0; });
   }
 
   /// Tries the triangles of the polygon's first edge and another of its vertices.
@@ -171,7 +170,7 @@ std::optional<bool> has_inner_link(std::span<const int> valences) {
   std::vector<int> all(valences.begin(), valences.end());
   all.resize(valences.size() + static_cast<std::size_t>(twice_regular / 2), kRegularValence);
   if (2 * static_cast<int>(all.size()) - 4 > kMostLinkTriangles) return std::nullopt;
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   // The outermost triangle has a vertex of the least valence; one at it is taken out of the sphere.
   for (std::size_t b = 1; b < all.size(); ++b) {
     for (std::size_t c = b + 1; c < all.size(); ++c) {
@@ -192,7 +191,7 @@ int hexahedra_at_surface_vertex(std::span<const int> valences, std::span<const i
 
 std::optional<bool> has_surface_link(std::span<const int> valences, std::span<const int> creases) {
   const int triangles = hexahedra_at_surface_vertex(valences, creases);
-  if (triangles < 1 || std::any_of(creases.begin(), creases.end(), [](int k) { return k < 1; })) return false;
+  if (triangles < 1 || std::ranges::any_of(creases, [](int k) { return k < 1; })) return false;
   if (triangles > kMostLinkTriangles) return std::nullopt;
   std::vector<int> inner(valences.begin(), valences.end());
   while (true) {
@@ -209,7 +208,7 @@ std::optional<bool> has_link_within(std::span<const int> border, std::span<const
   const int inside = triangles + 2 - static_cast<int>(border.size());
   const int regular = inside / 2 - static_cast<int>(valences.size());
   if (triangles < 1 || border.size() < 3 || inside % 2 != 0 || regular < 0) return false;
-  if (std::any_of(border.begin(), border.end(), [](int k) { return k < 1; })) return false;
+  if (std::ranges::any_of(border, [](int k) { return k < 1; })) return false;
   if (triangles > kMostLinkTriangles) return std::nullopt;
   std::vector<int> inner(valences.begin(), valences.end());
   inner.resize(valences.size() + static_cast<std::size_t>(regular), kRegularValence);

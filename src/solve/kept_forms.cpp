@@ -87,7 +87,7 @@ KeptForms kept_forms(const GridLevel& level, const Solid& solid, Degree degree,
   std::vector<Cell> chosen;
   add_evenly(found.others, kMostForms, chosen);
   add_evenly(found.planes, kMostForms - chosen.size(), chosen);
-  std::sort(chosen.begin(), chosen.end(), [](const Cell& a, const Cell& b) { return a.first < b.first; });
+  std::ranges::sort(chosen, {}, &Cell::first);
   return degree == Degree::kThree ? forms_of<3>(level, solid, chosen) : forms_of<4>(level, solid, chosen);
 }
 

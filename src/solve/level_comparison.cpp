@@ -32,9 +32,8 @@ bool is_near(const Vector3& point, const Arc& arc, double reach) {
 bool is_among(const Arc& arc, const std::vector<Arc>& others, double reach) {
   std::size_t near = 0;
   for (const Vector3& point : arc.points)
-    near += std::any_of(others.begin(), others.end(), [&](const Arc& other) {
-      return other.index == arc.index && is_near(point, other, reach);
-    });
+    near += std::ranges::any_of(
+        others, [&](const Arc& other) { return other.index == arc.index && is_near(point, other, reach); });
   return 2 * near > arc.points.size();
 }
 
@@ -111,7 +110,7 @@ std::optional<SolveReport::Coarser> CoarserGraphs::before(int depth, const Singu
   coarser.differences = differences_of(graph, kept->graph, 2 * cell_size);
   int last_change = depth;
   if (coarser.differences.empty()) {
-    const auto after = std::upper_bound(changed_at_.begin(), changed_at_.end(), kept->depth);
+    const auto after = std::ranges::upper_bound(changed_at_, kept->depth);
     last_change = *std::prev(after);  // the coarsest level is one of them
   }
   coarser.last_change = std::ldexp(resolution, last_change - depth);

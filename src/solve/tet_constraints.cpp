@@ -62,9 +62,8 @@ class SortedPoints {
  public:
   explicit SortedPoints(const std::vector<GuidePoint>& points) : points_(points), order_(points.size()) {
     for (std::size_t k = 0; k < order_.size(); ++k) order_[k] = static_cast<std::uint32_t>(k);
-    std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return points[a].place[0] < points[b].place[0];
-    });
+    std::ranges::stable_sort(
+        order_, [&](std::uint32_t a, std::uint32_t b) { return points[a].place[0] < points[b].place[0]; });
   }
 
   /// Calls take(point) for each point in a box.
@@ -94,7 +93,7 @@ std::vector<std::uint32_t> tets_of(const TetMesh& mesh, const std::vector<GuideP
       const Box box = box_of({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], mesh.vertices[d]});
       sorted.within(box, [&](std::uint32_t p) {
         const Shares shares = barycentric(mesh, mesh.tets[t], points[p].place);
-        if (*std::min_element(shares.begin(), shares.end()) >= kInside)
+        if (*std::ranges::min_element(shares) >= kInside)
           runs[begin / kParallelGrain].push_back({p, static_cast<std::uint32_t>(t)});
       });
     }
@@ -118,21 +117,20 @@ std::vector<PlacedPoint> placed_points(const TetSolid& solid, const BoundaryVert
     if (tets[p] == kNoPoint) continue;
     const auto& tet = solid.mesh.tets[tets[p]];
     const Shares shares = barycentric(solid.mesh, tet, points[p].place);
-    const double largest = *std::max_element(shares.begin(), shares.end());
+    const double largest = *std::ranges::max_element(shares);
     for (std::size_t k = 0; k < 4; ++k) {
-      const bool is_inside = !std::binary_search(boundary.vertices.begin(), boundary.vertices.end(), tet[k]);
+      const bool is_inside = !std::ranges::binary_search(boundary.vertices, tet[k]);
       if (is_inside && shares[k] >= kSmallestShare * largest)
         placed.push_back({tet[k], p, shares[k] / largest});
     }
   }
-  std::stable_sort(placed.begin(), placed.end(),
-                   [](const PlacedPoint& a, const PlacedPoint& b) { return a.vertex < b.vertex; });
+  std::ranges::stable_sort(placed, {}, &PlacedPoint::vertex);
   return placed;
 }
 
 double weight_of(const PlacedPoint& placed, const std::vector<GuidePoint>& points) {
   const auto& weights = points[placed.point].weights;
-  return placed.share * *std::max_element(weights.begin(), weights.end());
+  return placed.share * *std::ranges::max_element(weights);
 }
 
 }  // namespace
