@@ -136,12 +136,6 @@ std::vector<Quaternion> aligned(const Holds& holds, const Frames& frames) {
   return result;
 }
 
-template <int D>
-FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity, const Holds& holds,
-                       const TetFinishing& options, std::span<const VertexGuide> guides) {
-  return {connectivity, vertex_forms<D>(connectivity->adjacency, holds, options, guides)};
-}
-
 /// Finishes one start or the best of several, in the field's own degree.
 template <int D>
 class Finish {
@@ -154,8 +148,9 @@ class Finish {
         guides_(guides),
         after_sweep_(after_sweep),
         plan_(settling_plan(options, *connectivity_, extent.volume, extent.side)),
-        graph_(graph_of<D>(connectivity_, holds, options, guides)) {
-    if (D != 4) relaxed_graph_ = graph_of<4>(connectivity_, holds, options, guides);
+        graph_{connectivity_, vertex_forms<D>(connectivity_->adjacency, holds, options, guides)} {
+    if (D != 4)
+      relaxed_graph_ = {connectivity_, vertex_forms<4>(connectivity_->adjacency, holds, options, guides)};
   }
 
   SettledFrames of(Frames start) {
