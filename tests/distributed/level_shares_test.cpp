@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/field_parts.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/result_folder.hpp"
