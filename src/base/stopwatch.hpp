@@ -5,14 +5,14 @@
 
 namespace crossgrain {
 
-/// Wall time summed over several intervals.
+/// Wall time, summed over several intervals. Runs from its construction on.
 class Stopwatch {
  public:
   void start() { begin_ = Clock::now(); }
   void stop() { total_ += Clock::now() - begin_; }
   double seconds() const { return total_.count(); }
 
-  /// Seconds since `start` or the last restart.
+  /// Seconds since the start or the last restart.
   double restart() {
     const auto now = Clock::now();
     const std::chrono::duration<double> lap = now - begin_;
@@ -22,7 +22,7 @@ class Stopwatch {
 
  private:
   using Clock = std::chrono::steady_clock;
-  Clock::time_point begin_{};
+  Clock::time_point begin_ = Clock::now();
   std::chrono::duration<double> total_{0};
 };
 

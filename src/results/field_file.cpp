@@ -89,7 +89,6 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
   OutputFolder output(std::move(reservation));
   check_foreign_files(folder, options);
   Stopwatch stopwatch;
-  stopwatch.start();
   report.solve = solve;
   output.set_solve(solve);
   CompanionFile::Writer companion;

@@ -168,7 +168,6 @@ std::unique_ptr<const DecidedField> DecidedField::solved(const Solid& solid, con
                                                          const Monitor& monitor) {
   if (options.solver.decision_cells == 0) return nullptr;
   Stopwatch watch;
-  watch.start();
   const double size = cell_size_for(solid.surface, solid.closed, options.solver.decision_cells);
   if (!is_wanted(solid, options, size)) return nullptr;
   const SolveTuning own = on_one_grid(options, size);

@@ -178,7 +178,6 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveTunin
   check_options(options);
   check_constraints(options.constraints);
   Stopwatch watch;
-  watch.start();
   const ThreadLimit thread_limit(options.threads);
   const WatchedLoops watched(monitor, Stops::kHeeded);
   check_surface_memory(mesh, options);

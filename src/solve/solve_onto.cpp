@@ -90,7 +90,6 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   const ThreadLimit thread_limit(options.threads);
   const WatchedLoops watched(monitor, Stops::kHeeded);
   Stopwatch stopwatch;
-  stopwatch.start();
   const TetDomainData& tets = domain.data();
   CarriedFrames start =
       carried_frames({grid.data().tree, grid.data().frames, grid.data().open_faces}, tets.solid);
