@@ -140,8 +140,9 @@ Quaternion on_faces(const Quaternion& frame, const Held& held) {
 
 }  // namespace
 
-std::vector<Quaternion> smoothed_frames(const MatchedField& field, std::vector<Quaternion> frames,
-                                        const FrozenSmoothing& options) {
+std::vector<Quaternion> smoothed_frames(const MatchedField& field, std::vector<Quaternion> frames) {
+  constexpr int kMostSmoothings = 100;
+  constexpr double kToleranceRad = 1e-3;
   const CubeGroup& group = CubeGroup::instance();
   const auto neighbours = neighbours_of(field);
   const std::vector<Held> held = held_axes(field);
@@ -151,8 +152,8 @@ std::vector<Quaternion> smoothed_frames(const MatchedField& field, std::vector<Q
   for (std::uint8_t a = 0; a < CubeGroup::kCount; ++a) turns[a] = to_quaternion(group[a]);
   std::vector<Quaternion> next(frames.size());
   std::vector<double> cosines(frames.size());  // of half the angle by which each turned
-  const double least_cosine = std::cos(0.5 * options.tolerance_rad);
-  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
+  const double least_cosine = std::cos(0.5 * kToleranceRad);
+  for (int sweep = 0; sweep < kMostSmoothings; ++sweep) {
     check_watched();
     parallel_for(frames.size(), [&](std::size_t t) {
       const Quaternion& own = frames[t];

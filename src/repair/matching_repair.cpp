@@ -17,6 +17,12 @@ namespace {
 /// Largest number of ends of a push that are tried, the nearest first.
 constexpr std::size_t kMostEnds = 40;
 
+/// Sweeps of moves over all vertices, until none lowers the cost.
+constexpr int kMostSweeps = 30;
+
+/// Mean of the lengths by which a wandering may raise the cost, in mean edge lengths.
+constexpr double kTemperature = 30;
+
 /// A push must lower the cost by this much, in mean edge lengths.
 constexpr double kLeastGain = 1e-9;
 
@@ -52,8 +58,8 @@ double MatchingRepair::cost() const {
 void MatchingRepair::run(const RepairTuning& options) {
   pull_off_creases();
   touch_faults();
-  settle(options.most_sweeps);
-  std::mt19937_64 random(options.seed);
+  settle(kMostSweeps);
+  std::mt19937_64 random(0);
   std::vector<int> in_vain(vertex_costs_.size(), 0);
   for (bool any = true; any;) {
     any = false;
@@ -79,7 +85,7 @@ void MatchingRepair::wander(const RepairTuning& options, std::uint64_t seed) {
     const std::uint32_t at = faults[random() % faults.size()];
     constexpr double kTwoTo53 = 9007199254740992.0;
     const double uniform = (static_cast<double>(random() >> 11) + 1) / kTwoTo53;
-    disturb(at, random(), -options.temperature * std::log(uniform));
+    disturb(at, random(), -kTemperature * std::log(uniform));
     if (gained_ >= least - kLeastGain * complex_.mean_edge_length()) continue;
     least = gained_;
     best = journal_.size();

@@ -19,6 +19,16 @@ namespace {
 /// Mean ratio from which no tet counts as flat (kFlatness in tets/tet_shape.hpp).
 constexpr double kSurelyPositive = 0.01;
 
+/// Least mean ratio that a move may leave; docs/notes/repair.md has the sweep.
+constexpr double kLeastQuality = 0.2;
+
+/// Largest angle between the faces at a vertex of a flat part of the surface. Files of single precision have
+/// planes to 1e-6.
+constexpr double kFlatRad = 5e-5;
+
+constexpr double kShortestPart = 0.05;  ///< of the way to its goal that a vertex goes
+constexpr double kLeastStep = 0.01;     ///< shortest way to a goal, in mean edge lengths
+
 /// Vertices that belong to something that must keep its shape besides the outer boundary.
 std::vector<bool> held_vertices(const TetComplex& complex) {
   const TetSolid& solid = complex.solid();
@@ -59,9 +69,8 @@ ListTable tets_at_vertices(const TetMesh& mesh) {
 /// The way of a vertex towards its neighbours.
 class Mover {
  public:
-  Mover(const MatchedField& field, const VertexMoves& options)
+  explicit Mover(const MatchedField& field)
       : complex_(field.complex()),
-        options_(options),
         vertices_(complex_.solid().mesh.vertices),
         tets_at_(tets_at_vertices(complex_.solid().mesh)) {
     for (std::uint32_t e = 0; e < complex_.edges().size(); ++e) {
@@ -77,8 +86,8 @@ class Mover {
       if (!held[v] && !complex_.edges_at(v).empty() && lies_flat(v)) movable_.push_back(v);
   }
 
-  std::vector<Vector3> moved() {
-    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+  std::vector<Vector3> moved(int sweeps) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
       check_watched();
       for (const std::uint32_t v : movable_)
         if (const std::optional<Vector3> goal = goal_of(v)) move(v, *goal);
@@ -93,14 +102,14 @@ class Mover {
     const auto ring = complex_.ring(vertex);
     const std::vector<Vector3>& normals = complex_.boundary_normals();
     return !complex_.is_pinched(vertex) && std::all_of(ring.begin(), ring.end(), [&](const auto& at) {
-      return dot(normals[at.face], normals[ring[0].face]) > std::cos(options_.flat_rad);
+      return dot(normals[at.face], normals[ring[0].face]) > std::cos(kFlatRad);
     });
   }
 
   bool lies_flat(const TetComplex::Edge& edge) const {
     const std::vector<Vector3>& normals = complex_.boundary_normals();
-    return !edge.is_branched && dot(normals[edge.boundary_faces[0]], normals[edge.boundary_faces[1]]) >
-                                    std::cos(options_.flat_rad);
+    return !edge.is_branched &&
+           dot(normals[edge.boundary_faces[0]], normals[edge.boundary_faces[1]]) > std::cos(kFlatRad);
   }
 
   /// The mean of the neighbours that draw a vertex; none if it has to stay.
@@ -132,9 +141,9 @@ class Mover {
   /// Goes as far as the tets at the vertex allow, or stays.
   void move(std::uint32_t vertex, const Vector3& goal) {
     const Vector3 from = vertices_[vertex];
-    if (norm(goal - from) < options_.least_step * complex_.mean_edge_length()) return;
-    const double least = std::min(worst_at(vertex), options_.least_quality);
-    for (double part = 1; part > options_.shortest_part; part /= 2) {
+    if (norm(goal - from) < kLeastStep * complex_.mean_edge_length()) return;
+    const double least = std::min(worst_at(vertex), kLeastQuality);
+    for (double part = 1; part > kShortestPart; part /= 2) {
       vertices_[vertex] = from + part * (goal - from);
       const double worst = worst_at(vertex);
       if (worst >= least && (worst >= kSurelyPositive || has_volume_at(vertex))) return;
@@ -159,7 +168,6 @@ class Mover {
   }
 
   const TetComplex& complex_;
-  const VertexMoves& options_;
   std::vector<Vector3> vertices_;
   const ListTable tets_at_;
   std::vector<bool> is_line_;  ///< edges that are singular, or creases of the map
@@ -169,8 +177,8 @@ class Mover {
 
 }  // namespace
 
-std::vector<Vector3> moved_vertices(const MatchedField& field, const VertexMoves& options) {
-  return Mover(field, options).moved();
+std::vector<Vector3> moved_vertices(const MatchedField& field, int sweeps) {
+  return Mover(field).moved(sweeps);
 }
 
 }  // namespace crossgrain

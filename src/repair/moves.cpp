@@ -2,6 +2,7 @@
 #include "repair/moves.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace crossgrain {
 namespace {
@@ -21,7 +22,8 @@ class ChangedField {
     return crossing.reversed ? CubeGroup::instance().inverse_of(changed->matching) : changed->matching;
   }
 
-  /// As freeing_matching.
+  /// The matching of a face with which an edge of it gets the holonomy that it should have, if all other
+  /// matchings stay; none if it should have none.
   std::optional<std::uint8_t> freeing(std::uint32_t edge, std::uint32_t face) const {
     const CubeGroup& group = CubeGroup::instance();
     const auto around = field_.complex().around(edge);
@@ -48,11 +50,6 @@ class ChangedField {
 };
 
 }  // namespace
-
-std::optional<std::uint8_t> freeing_matching(const MatchedField& field, std::uint32_t edge,
-                                             std::uint32_t face) {
-  return ChangedField(field).freeing(edge, face);
-}
 
 std::vector<FaceChange> push_changes(const MatchedField& field, std::uint32_t vertex,
                                      std::span<const std::uint32_t> way,

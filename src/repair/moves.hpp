@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,16 +16,11 @@ struct FaceChange {
   std::uint8_t matching;
 };
 
-/// Returns the matching of a face with which an edge of it gets the holonomy that it should have
-/// (MatchedField::wanted_holonomy), if all other matchings stay; none if it should have none.
-std::optional<std::uint8_t> freeing_matching(const MatchedField& field, std::uint32_t edge,
-                                             std::uint32_t face);
-
 /// Pushes what is around the edge from `vertex` to way[0] along a way in the link of the vertex: faces[k] has
 /// the vertex, way[k] and way[k + 1]. With the changes, in this order, the edges from the vertex to all of
-/// the way but the last get the holonomy that they should have. Others change only if they join the vertex to
-/// the last of the way, or are edges of the way: an arc passes beside the vertex then. On the boundary an
-/// edge that has no such holonomy ends the changes.
+/// the way but the last get the holonomy that they should have (MatchedField::wanted_holonomy). Others change
+/// only if they join the vertex to the last of the way, or are edges of the way: an arc passes beside the
+/// vertex then. On the boundary an edge that has no such holonomy ends the changes.
 std::vector<FaceChange> push_changes(const MatchedField& field, std::uint32_t vertex,
                                      std::span<const std::uint32_t> way,
                                      std::span<const std::uint32_t> faces);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace crossgrain {
@@ -23,36 +22,20 @@ struct RepairTuning {
   std::vector<RepairWeights> tries = {{1, 1, 200},    {3, 5, 200},   {3, 2, 200},
                                       {10, 0.5, 200}, {1, 0.3, 200}, {0, 0.05, 200}};
 
-  /// Sweeps that move vertices (RepairOptions::moves_vertices). Each leaves the tets at a vertex the least
-  /// mean ratio among them (12 (3 V)^(2/3) over the sum of squared edges), or `least_quality` if that is
-  /// less.
-  int moving_sweeps = 10;
-  double least_quality = 0.2;
-
-  int passes = 3;        ///< of repair and smoothing in turn; fewer if the last finds nothing to repair
-  int most_sweeps = 30;  ///< of moves over all vertices, until none lowers the cost
-
   /// Random changes near each vertex that is left, settled and kept if they lower the cost: so many in vain
   /// end the search there.
   int disturbances = 30;
 
   /// The best tries with faults go on with random changes near faults, settled and kept if they raise the
-  /// cost by no more than a random length, in the mean of `temperature` mean edge lengths: faults wander
-  /// along creases until they meet. Each wandering ends with the least cost on its way.
+  /// cost by no more than a random length: faults wander along creases until they meet. Each wandering ends
+  /// with the least cost on its way.
   int finalists = 2;
   int wanderings = 4;  ///< as long as there are faults
   int wandering_steps = 3000;
-  double temperature = 30;
-  std::uint64_t seed = 0;
 
   /// The end of random changes of a try, its wanderings included: after so many costs of edges and vertices
   /// were found; 0 for no limit.
   std::size_t most_work = 0;
-
-  /// Sweeps that smooth the frames afterwards, with matchings kept; they end when no frame turns by more
-  /// than `smoothing_rad`.
-  int smoothing_sweeps = 100;
-  double smoothing_rad = 1e-3;
 };
 
 }  // namespace crossgrain

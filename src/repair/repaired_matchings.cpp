@@ -52,11 +52,8 @@ std::size_t zero_lengths_of(const MatchedField& field) {
 }
 
 /// A try with what is wrong with it, and its cost by the first weights. The field refers to the frames.
-struct Try {
-  RepairedTets tets;
-  RepairWeights weights;
+struct Try : RepairTry {
   std::optional<MatchedField> field;
-  std::size_t zero_lengths = 0;  ///< arcs_of_length_zero
   double cost = 0;
 
   bool operator<(const Try& other) const {
@@ -71,15 +68,17 @@ void judge(Try& what, const RepairTuning& options) {
   what.cost = cost_of(*what.field, options.tries.front());
 }
 
+/// Passes of repair and smoothing in turn; fewer if the last finds nothing to repair.
+constexpr int kPasses = 3;
+
 /// Smooths frames for the matchings, and repairs what that leaves: faults depend on the directions of edges
 /// in their frames too.
 void finish(Try& what, const RepairTuning& options) {
-  for (int pass = 0; pass < options.passes; ++pass) {
-    what.tets.frames = smoothed_frames(*what.field, std::move(what.tets.frames),
-                                       {options.smoothing_sweeps, options.smoothing_rad});
+  for (int pass = 0; pass < kPasses; ++pass) {
+    what.tets.frames = smoothed_frames(*what.field, std::move(what.tets.frames));
     what.field = what.field->with_frames(what.tets.frames);
     judge(what, options);
-    if (what.tets.faults == 0 || pass + 1 == options.passes) break;
+    if (what.tets.faults == 0 || pass + 1 == kPasses) break;
     MatchingRepair repair(*what.field, what.weights, what.tets.work);
     repair.run(options);
     what.tets.moves += repair.moves();
@@ -91,7 +90,7 @@ void finish(Try& what, const RepairTuning& options) {
 /// Lets faults wander for the k-th time.
 void wander_once(Try& what, int k, const RepairTuning& options) {
   MatchingRepair repair(*what.field, what.weights, what.tets.work);
-  repair.wander(options, options.seed + static_cast<std::uint64_t>(k));
+  repair.wander(options, static_cast<std::uint64_t>(k));
   what.tets.moves += repair.moves();
   what.tets.work = repair.work();
   finish(what, options);
@@ -136,10 +135,8 @@ std::vector<RepairTry> results_of(std::vector<Try> tries, const MatchedField& gi
   std::stable_sort(tries.begin(), tries.end());
   std::vector<RepairTry> results;
   for (Try& one : tries) {
-    RepairTry& result = results.emplace_back();
-    result.weights = one.weights;
-    result.zero_lengths = one.zero_lengths;
-    result.tets = result_of(one, given);
+    one.tets = result_of(one, given);
+    results.push_back(std::move(one));
   }
   return results;
 }
@@ -192,8 +189,7 @@ RepairedTets repaired_tets(const MatchedField& given, const RepairTuning& option
 }
 
 RepairedTets smoothed_tets(const MatchedField& given, std::size_t known_faults, const RepairTuning& options) {
-  std::vector<Quaternion> frames = smoothed_frames(given, {given.frames().begin(), given.frames().end()},
-                                                   {options.smoothing_sweeps, options.smoothing_rad});
+  std::vector<Quaternion> frames = smoothed_frames(given, {given.frames().begin(), given.frames().end()});
   const MatchedField field = given.with_frames(frames);
   const std::size_t faults = faults_of(field);
   if (faults > known_faults) return repaired_tets(field, options);

@@ -144,9 +144,8 @@ Repaired with_moved_vertices(Repaired repaired, const InnerFeatures& features, c
   for (int round = 0; round < kMostRounds; ++round) {
     const TetComplex before(repaired.domain.data().solid, features);
     RepairedTets& former = repaired.tets;
-    TetDomain domain = repaired.domain.with_vertices(
-        moved_vertices(MatchedField(before, former.frames, former.matchings),
-                       {.sweeps = tuning.moving_sweeps, .least_quality = tuning.least_quality}));
+    TetDomain domain =
+        repaired.domain.with_vertices(moved_vertices(MatchedField(before, former.frames, former.matchings)));
     const TetComplex complex(domain.data().solid, features);
     RepairedTets tets =
         smoothed_tets(MatchedField(complex, former.frames, former.matchings), former.faults, tuning);
@@ -283,7 +282,6 @@ TetFrameField FieldRepairs::completed(RepairedTets repaired_tets, const RepairTu
 TetFrameField repaired(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor) {
   const WatchedLoops watched(monitor, Stops::kHeeded);
   Stopwatch stopwatch;
-  stopwatch.start();
   TetFrameField result = FieldRepairs(field, options, RepairTuning(), monitor).best();
   SolveReport report = result.report();
   report.onto->repair->seconds = stopwatch.restart();

@@ -31,7 +31,7 @@ TEST(MovedVertices, StraightenAnArcAndKeepEverySideInItsPlane) {
   const TetComplex complex(box);
   const auto frames = line_along_z(box);
   const MatchedField field(complex, frames);
-  const std::vector<Vector3> moved = moved_vertices(field, {.sweeps = 30});
+  const std::vector<Vector3> moved = moved_vertices(field, /*sweeps=*/30);
   double before = 0, after = 0;
   for (std::uint32_t e = 0; e < complex.edges().size(); ++e) {
     const TetComplex::Edge& edge = complex.edges()[e];

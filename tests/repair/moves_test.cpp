@@ -129,10 +129,14 @@ TEST(Moves, GiveACreaseTheQuarterTurnsOfItsGeometry) {
       if (!kComplex.edges()[e].is_on_boundary()) continue;
       for (const Crossing& crossing : kComplex.around(e)) {
         MatchedField field(kComplex, frames);
-        const auto matching = freeing_matching(field, e, crossing.face);
-        if (!matching) continue;
+        const auto& [v, w] = kComplex.edges()[e].ends;
+        std::array<std::uint32_t, 2> way{w, w};
+        for (const std::uint32_t other : kBox.inner_faces[crossing.face].vertices)
+          if (other != v && other != w) way[1] = other;
+        const std::vector<FaceChange> changes = push_changes(field, v, way, std::array{crossing.face});
+        if (changes.empty()) continue;
         const BoundaryTurn before = field.boundary_turn(e);
-        field.set_matching(crossing.face, *matching);
+        field.set_matching(crossing.face, changes[0].matching);
         const BoundaryTurn after = field.boundary_turn(e);
         EXPECT_EQ(after.hexahedra, before.angle_deg < 100 ? 1 : 2);
         ++tried;
