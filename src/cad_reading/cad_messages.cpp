@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled into both the library and the program crossgrain_cad.
 //
-// Layout of an answer: the greeting; a CadEnd; the fault; the vectors of the mesh and of the solids in the
-// order of `exchange_cad`; kAnswerTrailer. A vector or a text is the number of its items, in 64 bits, and
-// their bytes as in memory.
+// Layout of an answer (process/answer_stream.hpp): a CadEnd; the fault; the vectors of the mesh and of the
+// solids in the order of `exchange_cad`.
 #include "cad_reading/cad_messages.hpp"
 
 #include <fmt/format.h>
@@ -11,16 +10,11 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "crossgrain/version.hpp"
 #include "process/answer_stream.hpp"
+#include "process/helper_program.hpp"
 
 namespace crossgrain {
 namespace {
-
-const std::string& cad_greeting() {
-  static const std::string text = fmt::format("crossgrain_cad {}\n", kVersion);
-  return text;
-}
 
 /// Bytes of a crease and of a warning without points and text: numbers of items, tag, kind and remedy.
 constexpr std::size_t kCountBytes = sizeof(std::uint64_t);
@@ -63,12 +57,6 @@ bool is_known(Remedy remedy) {
   return remedy >= Remedy::kNone && remedy <= Remedy::kReportModel;
 }
 
-/// Returns whether a text is one line that can be shown.
-bool is_line(std::string_view text) {
-  return text.size() <= kMostCadTextBytes &&
-         std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-}
-
 bool is_sound(const Warning& warning) {
   return warning.kind >= WarningKind{} && warning.kind <= WarningKind::kNotFinite &&
          is_known(warning.remedy) && is_line(warning.file) && is_line(warning.place) && is_line(warning.text);
@@ -85,7 +73,7 @@ bool are_numbers(const std::vector<std::int32_t>& items) {
 
 /// Returns whether a mesh is consistent with the documentation of TriangleMesh.
 bool is_consistent(const TriangleMesh& mesh) {
-  const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
+  const std::size_t triangles = mesh.triangles.size();
   const auto belongs = [triangles](const auto& items) { return items.empty() || items.size() == triangles; };
   return belongs(mesh.faces) && belongs(mesh.solids) && belongs(mesh.corner_normals) &&
          are_numbers(mesh.faces) && are_numbers(mesh.solids) && are_finite(mesh.vertices) &&
@@ -95,9 +83,7 @@ bool is_consistent(const TriangleMesh& mesh) {
          is_line(mesh.unit) && is_line(mesh.file_unit) && mesh.warnings.size() <= kMostCadWarnings &&
          std::all_of(mesh.warnings.begin(), mesh.warnings.end(),
                      [](const Warning& warning) { return is_sound(warning); }) &&
-         std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [vertices](const auto& triangle) {
-           return std::all_of(triangle.begin(), triangle.end(), [vertices](auto v) { return v < vertices; });
-         });
+         are_in_range(mesh.triangles, mesh.vertices.size());
 }
 
 bool is_consistent(const CadSolids& solids) {
@@ -145,28 +131,19 @@ std::optional<CadRequest> cad_request_of(const std::vector<std::string>& argumen
   return request;
 }
 
-void write_cad_greeting(std::FILE* out) {
-  std::fputs(cad_greeting().c_str(), out);
-  std::fflush(out);
-}
-
 bool write_cad_answer(std::FILE* out, const CadAnswer& answer) {
   AnswerWriter writer(out);
   exchange_cad(writer, answer);
-  writer.bytes(kAnswerTrailer.data(), kAnswerTrailer.size());
-  return writer.flush();
-}
-
-bool is_cad_greeting(std::string_view written) {
-  return written.starts_with(cad_greeting());
+  return writer.end();
 }
 
 std::optional<CadAnswer> cad_answer_in(std::string_view written) {
-  if (!is_cad_greeting(written)) return std::nullopt;
-  AnswerReader reader(written.substr(cad_greeting().size()));
+  const std::string greeting = greeting_of(kCadProgramName);
+  if (!written.starts_with(greeting)) return std::nullopt;
+  AnswerReader reader(written.substr(greeting.size()));
   CadAnswer answer;
   exchange_cad(reader, answer);
-  if (!reader.sound() || reader.rest() != kAnswerTrailer || answer.end > CadEnd::kOutOfMemory ||
+  if (!reader.ends_with(kAnswerTrailer) || answer.end > CadEnd::kOutOfMemory ||
       !is_known(answer.fault.remedy) || !is_line(answer.fault.text) || !is_consistent(answer.mesh) ||
       !is_consistent(answer.solids))
     return std::nullopt;

@@ -58,21 +58,15 @@ struct CadAnswer {
   CadSolids solids = {};  ///< empty unless they were asked for
 };
 
-/// Limits of an answer, besides those of its bytes. The program cuts texts, which may come from the file.
-inline constexpr std::size_t kMostCadTextBytes = 1000, kMostCadWarnings = 100;
+/// Limit of an answer, besides those of its bytes and texts.
+inline constexpr std::size_t kMostCadWarnings = 100;
 
 /// Converts a request to the arguments of the program, and back; nothing if they are invalid.
 std::vector<std::string> arguments_of(const CadRequest& request);
 std::optional<CadRequest> cad_request_of(const std::vector<std::string>& arguments);
 
-/// Begins an answer. Contains this version, since library and program must be of the same build.
-void write_cad_greeting(std::FILE* out);
-
 /// Writes the answer after the greeting. Returns false if it could not be written.
 bool write_cad_answer(std::FILE* out, const CadAnswer& answer);
-
-/// Returns whether the program's output begins like an answer of this version.
-bool is_cad_greeting(std::string_view written);
 
 /// Returns the answer in the program's output; nothing if it is incomplete, inconsistent or beyond a limit,
 /// as after a crash: texts are lines, numbers finite, indices in range. Takes at most four times the memory

@@ -18,6 +18,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/features.hpp"
 #include "crossgrain/version.hpp"
+#include "process/answer_stream.hpp"
 #include "process/helper_process.hpp"
 #include "process/helper_program.hpp"
 
@@ -72,7 +73,7 @@ CadFault fault_of(const HelperRun& run, const HelperOutcome& outcome) {
     return {fmt::format("the reader of CAD files, {}, cannot find libraries of OpenCASCADE",
                         run.program.string()),
             Remedy::kInstallOpenCascade};
-  if (outcome.end == End::kExited && !is_cad_greeting(outcome.answer))
+  if (outcome.end == End::kExited && !outcome.answer.starts_with(greeting_of(kCadProgramName)))
     return {fmt::format("{} does not belong to Crossgrain {}", run.program.string(), kVersion),
             Remedy::kReinstall};
   if (outcome.end == End::kKilled && outcome.number == SIGKILL)

@@ -6,17 +6,14 @@ namespace crossgrain {
 /// Largest growth of the size per length. docs/notes/tets.md has the measurements behind these numbers.
 constexpr double kGradation = 0.3;
 
-/// The sizes of triangles and tets that curvature asks for.
-struct CurvatureSizes {
+/// The sizes of triangles and tets.
+struct Remeshing {
+  double size = 0;  ///< largest edge, model units
+
   double edges_per_circle = 18;  ///< edges around a full circle of any curvature
 
   /// Smallest size that curvature and short creases ask for, relative to the size.
   double smallest_share = 0.1;
-};
-
-/// How a surface is cut into new triangles.
-struct Remeshing : CurvatureSizes {
-  double size = 0;  ///< largest edge, model units
 };
 
 }  // namespace crossgrain

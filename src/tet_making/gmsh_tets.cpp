@@ -12,7 +12,7 @@
 
 #include "files/input_file.hpp"
 #include "mesh_files/tets/tet_reader.hpp"
-#include "process/private_folder.hpp"
+#include "process/answer_stream.hpp"
 #include "tet_making/tet_program.hpp"
 
 namespace crossgrain {
@@ -47,10 +47,7 @@ std::string first_error(std::string_view printed) {
     printed.remove_prefix(std::min(printed.size(), line.size() + 1));
     const std::size_t colon = line.find(": ");
     if (!line.starts_with(kBegin) || colon == std::string_view::npos) continue;
-    std::string text(line.substr(colon + 2, kMostShown));
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    return text;
+    return one_line(std::string(line.substr(colon + 2, kMostShown)));
   }
   return "";
 }
@@ -106,9 +103,7 @@ FilledTets filled(const TetMesh& mesh, const ClosedTriangles& surface) {
 
 class GmshTets : public TetProgram {
  public:
-  explicit GmshTets(std::filesystem::path program) : program_(std::move(program)) {}
-
-  std::string name() const override { return "gmsh"; }
+  using TetProgram::TetProgram;
 
   FilledTets fill(const ClosedTriangles& surface, const TetJob& job) const override {
     const PrivateFolder folder;
@@ -116,7 +111,7 @@ class GmshTets : public TetProgram {
     const std::string script = fmt::format(
         "Mesh.MeshSizeMax = {};\n"
         "Merge \"surface.msh\";\nSurface Loop(1) = Surface{{:}};\nVolume(1) = {{1}};\n",
-        job.size);
+        job.sizes.size);
     return filled(run(folder, script, job), surface);
   }
 
@@ -127,7 +122,7 @@ class GmshTets : public TetProgram {
         "SetFactory(\"OpenCASCADE\");\n"
         "Mesh.MeshSizeMax = {};\nMesh.MeshSizeMin = {};\nMesh.MeshSizeFromCurvature = {};\n"
         "Merge \"solids.brep\";\n",
-        job.size, job.curvature.smallest_share * job.size, job.curvature.edges_per_circle);
+        job.sizes.size, job.sizes.smallest_share * job.sizes.size, job.sizes.edges_per_circle);
     return run(folder, script, job);
   }
 
@@ -135,16 +130,14 @@ class GmshTets : public TetProgram {
   TetMesh run(const PrivateFolder& folder, const std::string& script, const TetJob& job) const {
     folder.write(kScript, fmt::format("{}{}Mesh 3;\nSave \"{}\";\n", kSettings, script, kResult));
     const std::string home = folder.path().string();
-    HelperRun run{program_,
+    HelperRun run{program(),
                   {(folder.path() / kScript).string(), "-"},
                   {"HOME=" + home, "GMSH_HOME=" + home, "TMPDIR=" + home, "LC_ALL=C", "OMP_NUM_THREADS=1"},
                   job.seconds,
                   kMostPrinted};
     run.is_foreign = true;
     run.max_memory_bytes = job.max_memory_bytes;
-    const HelperOutcome outcome = run_tet_program(run, name(), job.monitor);
-    if (outcome.end == HelperOutcome::End::kKilled) folder.fail("the file is larger than allowed");
-    if (folder.is_full()) folder.fail("no space left");
+    const HelperOutcome outcome = run_tet_program(run, name(), folder, job.monitor);
     return result_in(folder, outcome);
   }
 
@@ -159,14 +152,12 @@ class GmshTets : public TetProgram {
     throw TetFailure{error.empty() ? "gmsh makes no tets of it"
                                    : fmt::format("gmsh gives up on it ({})", error)};
   }
-
-  std::filesystem::path program_;
 };
 
 }  // namespace
 
 std::unique_ptr<TetProgram> gmsh_tets(const std::filesystem::path& program) {
-  return std::make_unique<GmshTets>(program);
+  return std::make_unique<GmshTets>("gmsh", program);
 }
 
 }  // namespace crossgrain

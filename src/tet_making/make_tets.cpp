@@ -22,7 +22,6 @@
 #include "mesh_files/surface/surface_reader.hpp"
 #include "surface/stitching.hpp"
 #include "surface/topology.hpp"
-#include "tet_making/made_tets.hpp"
 #include "tet_making/surface_faults.hpp"
 #include "tet_making/surface_tets.hpp"
 #include "tet_making/tet_making_tuning.hpp"
@@ -71,13 +70,12 @@ Programs programs_of(const TetMakingTuning& options) {
 /// Edge of a regular tet over the cube root of its volume, to the third power.
 constexpr double kTetsPerCube = 6 * 1.4142135623730951;
 
+/// Tets that may be expected at most.
+constexpr double kMostTets = 20000000;
+
 /// Returns the size of the tets. Throws if there would be too many.
 double size_for(const TriangleMesh& mesh, const TetMakingTuning& options) {
-  const double longest = longest_side(box_of_solid_triangles(mesh));
-  const double of_edges = longest / options.edges;
-  const double size = options.size == 0        ? of_edges
-                      : options.at_least_edges ? std::min(options.size, of_edges)
-                                               : options.size;
+  const double size = options.size_for(longest_side(box_of_solid_triangles(mesh)));
   double volume = 0, area = 0;
   for (const auto& triangle : mesh.triangles) {
     const auto [a, b, c] = corners_of(triangle, mesh.vertices);
@@ -88,18 +86,18 @@ double size_for(const TriangleMesh& mesh, const TetMakingTuning& options) {
   // Walls thinner than the size have at least a layer of tets beneath their triangles.
   const double expected =
       std::max(kTetsPerCube * std::abs(volume) / (size * size * size), area / (size * size));
-  if (expected <= static_cast<double>(options.most_tets)) return size;
+  if (expected <= kMostTets) return size;
   throw Error(ErrorKind::kLimit,
               fmt::format("about {:.2g} tets of the size {:.4g} are to be expected, but at most {:.2g} are "
                           "allowed",
-                          expected, size, static_cast<double>(options.most_tets)),
+                          expected, size, kMostTets),
               Remedy::kTakeLargerTets);
 }
 
 TetJob job_of(double size, const TetMakingTuning& options, const Monitor& monitor) {
   const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
   if (held >= most) throw Error(ErrorKind::kLimit, "no memory is left to make tets", Remedy::kAllowMemory);
-  return {size, options.seconds, most - held, {options.edges_per_circle, options.smallest_share}, monitor};
+  return {{size, options.edges_per_circle, options.smallest_share}, options.seconds, most - held, monitor};
 }
 
 /// Tries one way after the other until one succeeds. Failures become warnings, or the error of the first.

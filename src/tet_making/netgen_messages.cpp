@@ -4,29 +4,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
 
-#include "crossgrain/version.hpp"
 #include "process/answer_stream.hpp"
+#include "process/helper_program.hpp"
 
 namespace crossgrain {
 namespace {
-
-constexpr std::size_t kMostFaultBytes = 1000;
-
-const std::string& netgen_greeting() {
-  static const std::string text = fmt::format("crossgrain_netgen {}\n", kVersion);
-  return text;
-}
 
 /// Tagged edges and triangles as they are sent: without padding, and without flags that may be invalid.
 template <std::size_t N>
 struct Tagged {
   std::array<std::uint32_t, N> vertices;
   std::int32_t tag;
+
+  auto begin() const { return vertices.begin(); }
+  auto end() const { return vertices.end(); }
 };
 
 struct Content {
@@ -51,28 +46,11 @@ void exchange_netgen(Stream& stream, AContent& content) {
   stream.items(content.faces);
 }
 
-template <class Items, class VerticesOf>
-bool are_in_range(const Items& items, std::size_t vertices, const VerticesOf& vertices_of) {
-  return std::all_of(items.begin(), items.end(), [&](const auto& item) {
-    const auto& of = vertices_of(item);
-    return std::all_of(of.begin(), of.end(), [&](std::uint32_t v) { return v < vertices; });
-  });
-}
-
 bool is_consistent(const Content& content) {
   const std::size_t vertices = content.vertices.size();
-  const auto itself = [](const auto& item) -> const auto& {
-    return item;
-  };
-  const auto of_tagged = [](const auto& item) -> const auto& {
-    return item.vertices;
-  };
-  const bool is_line = content.fault.size() <= kMostFaultBytes &&
-                       std::none_of(content.fault.begin(), content.fault.end(),
-                                    [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-  return content.end <= NetgenEnd::kOutOfMemory && is_line && are_finite(content.vertices) &&
-         are_in_range(content.tets, vertices, itself) && are_in_range(content.edges, vertices, of_tagged) &&
-         are_in_range(content.faces, vertices, of_tagged) &&
+  return content.end <= NetgenEnd::kOutOfMemory && is_line(content.fault) && are_finite(content.vertices) &&
+         are_in_range(content.tets, vertices) && are_in_range(content.edges, vertices) &&
+         are_in_range(content.faces, vertices) &&
          (content.regions.empty() || content.regions.size() == content.tets.size());
 }
 
@@ -82,9 +60,9 @@ std::vector<std::string> arguments_of(const NetgenRequest& request) {
   return {kVersion,
           fmt::to_string(request.asking_process),
           fmt::to_string(static_cast<int>(request.work)),
-          fmt::format("{}", request.size),
-          fmt::format("{}", request.curvature.edges_per_circle),
-          fmt::format("{}", request.curvature.smallest_share),
+          fmt::format("{}", request.sizes.size),
+          fmt::format("{}", request.sizes.edges_per_circle),
+          fmt::format("{}", request.sizes.smallest_share),
           fmt::to_string(request.max_memory_bytes),
           request.folder};
 }
@@ -95,9 +73,9 @@ std::optional<NetgenRequest> netgen_request_of(const std::vector<std::string>& a
   NetgenRequest request{};
   int work = 0;
   const bool is_sound = parse_number(arguments[1], request.asking_process) &&
-                        parse_number(arguments[2], work) && parse_number(arguments[3], request.size) &&
-                        parse_number(arguments[4], request.curvature.edges_per_circle) &&
-                        parse_number(arguments[5], request.curvature.smallest_share) &&
+                        parse_number(arguments[2], work) && parse_number(arguments[3], request.sizes.size) &&
+                        parse_number(arguments[4], request.sizes.edges_per_circle) &&
+                        parse_number(arguments[5], request.sizes.smallest_share) &&
                         parse_number(arguments[6], request.max_memory_bytes);
   if (!is_sound || work < 0 || work > static_cast<int>(NetgenWork::kCut)) return std::nullopt;
   request.work = static_cast<NetgenWork>(work);
@@ -124,17 +102,9 @@ std::optional<NetgenSurface> netgen_surface_in(std::string_view bytes) {
   NetgenSurface surface;
   reader.items(surface.vertices);
   reader.items(surface.triangles);
-  const auto itself = [](const auto& item) -> const auto& {
-    return item;
-  };
-  const bool is_sound = reader.sound() && reader.rest().empty() && are_finite(surface.vertices) &&
-                        are_in_range(surface.triangles, surface.vertices.size(), itself);
+  const bool is_sound = reader.ends_with("") && are_finite(surface.vertices) &&
+                        are_in_range(surface.triangles, surface.vertices.size());
   return is_sound ? std::optional(std::move(surface)) : std::nullopt;
-}
-
-void write_netgen_greeting(std::FILE* out) {
-  std::fputs(netgen_greeting().c_str(), out);
-  std::fflush(out);
 }
 
 bool write_netgen_answer(std::FILE* out, const NetgenAnswer& answer) {
@@ -144,20 +114,16 @@ bool write_netgen_answer(std::FILE* out, const NetgenAnswer& answer) {
   for (const TetMesh::Face& face : mesh.feature_faces) content.faces.push_back({face.vertices, face.tag});
   AnswerWriter writer(out);
   exchange_netgen(writer, content);
-  writer.bytes(kAnswerTrailer.data(), kAnswerTrailer.size());
-  return writer.flush();
-}
-
-bool is_netgen_greeting(std::string_view written) {
-  return written.starts_with(netgen_greeting());
+  return writer.end();
 }
 
 std::optional<NetgenAnswer> netgen_answer_in(std::string_view written) {
-  if (!is_netgen_greeting(written)) return std::nullopt;
-  AnswerReader reader(written.substr(netgen_greeting().size()));
+  const std::string greeting = greeting_of(kNetgenProgramName);
+  if (!written.starts_with(greeting)) return std::nullopt;
+  AnswerReader reader(written.substr(greeting.size()));
   Content content;
   exchange_netgen(reader, content);
-  if (!reader.sound() || reader.rest() != kAnswerTrailer || !is_consistent(content)) return std::nullopt;
+  if (!reader.ends_with(kAnswerTrailer) || !is_consistent(content)) return std::nullopt;
   NetgenAnswer answer{content.end, std::move(content.fault), {}};
   answer.mesh.vertices = std::move(content.vertices);
   answer.mesh.tets = std::move(content.tets);

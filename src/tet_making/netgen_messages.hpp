@@ -31,8 +31,7 @@ inline constexpr const char *kNetgenSurface = "surface", *kNetgenSolids = "solid
 struct NetgenRequest {
   pid_t asking_process;  ///< the program ends when this process does
   NetgenWork work;
-  double size;  ///< largest edge, model units
-  CurvatureSizes curvature;
+  Remeshing sizes;
   std::size_t max_memory_bytes;
   std::string folder;
 };
@@ -59,13 +58,8 @@ struct NetgenSurface {
 std::string netgen_surface_bytes(const NetgenSurface& surface);
 std::optional<NetgenSurface> netgen_surface_in(std::string_view bytes);
 
-/// Begins an answer, with this version: library and program must be of one build.
-void write_netgen_greeting(std::FILE* out);
-
 /// Writes the answer after the greeting. Returns false if it could not be written.
 bool write_netgen_answer(std::FILE* out, const NetgenAnswer& answer);
-
-bool is_netgen_greeting(std::string_view written);
 
 /// Returns the answer in the program's output; nothing if it is incomplete or inconsistent, as after a crash.
 std::optional<NetgenAnswer> netgen_answer_in(std::string_view written);

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "crossgrain/version.hpp"
-#include "process/private_folder.hpp"
+#include "process/answer_stream.hpp"
+#include "process/helper_program.hpp"
 #include "tet_making/netgen_messages.hpp"
 #include "tet_making/tet_program.hpp"
 
@@ -14,9 +15,7 @@ namespace {
 
 class NetgenTets : public TetProgram {
  public:
-  explicit NetgenTets(std::filesystem::path program) : program_(std::move(program)) {}
-
-  std::string name() const override { return "Netgen"; }
+  using TetProgram::TetProgram;
 
   FilledTets fill(const ClosedTriangles& surface, const TetJob& job) const override {
     const PrivateFolder folder;
@@ -34,12 +33,10 @@ class NetgenTets : public TetProgram {
  private:
   TetMesh run(const PrivateFolder& folder, NetgenWork work, const TetJob& job) const {
     const std::string place = folder.path().string();
-    const NetgenRequest request{::getpid(), work, job.size, job.curvature, job.max_memory_bytes, place};
+    const NetgenRequest request{::getpid(), work, job.sizes, job.max_memory_bytes, place};
     const HelperRun run{
-        program_, arguments_of(request), {"TMPDIR=" + place, "LC_ALL=C"}, job.seconds, job.max_memory_bytes};
-    const HelperOutcome outcome = run_tet_program(run, name(), job.monitor);
-    if (outcome.end == HelperOutcome::End::kKilled) folder.fail("the file is larger than allowed");
-    if (folder.is_full()) folder.fail("no space left");
+        program(), arguments_of(request), {"TMPDIR=" + place, "LC_ALL=C"}, job.seconds, job.max_memory_bytes};
+    const HelperOutcome outcome = run_tet_program(run, name(), folder, job.monitor);
     std::optional<NetgenAnswer> answer = netgen_answer_in(outcome.answer);
     if (!answer) fail_without_answer(outcome);
     if (answer->end == NetgenEnd::kOutOfMemory)
@@ -52,21 +49,19 @@ class NetgenTets : public TetProgram {
 
   [[noreturn]] void fail_without_answer(const HelperOutcome& outcome) const {
     if (outcome.number == kLibrariesMissing)
-      throw TetFailure{fmt::format("{} cannot find libraries of Netgen", program_.string()),
+      throw TetFailure{fmt::format("{} cannot find libraries of Netgen", program().string()),
                        ErrorKind::kInput, Remedy::kInstallTetMaker};
-    if (!is_netgen_greeting(outcome.answer))
-      throw TetFailure{fmt::format("{} does not belong to Crossgrain {}", program_.string(), kVersion),
+    if (!outcome.answer.starts_with(greeting_of(kNetgenProgramName)))
+      throw TetFailure{fmt::format("{} does not belong to Crossgrain {}", program().string(), kVersion),
                        ErrorKind::kInput, Remedy::kReinstall};
     throw TetFailure{"Netgen crashed on it (no complete answer)"};
   }
-
-  std::filesystem::path program_;
 };
 
 }  // namespace
 
 std::unique_ptr<TetProgram> netgen_tets(const std::filesystem::path& program) {
-  return std::make_unique<NetgenTets>(program);
+  return std::make_unique<NetgenTets>("Netgen", program);
 }
 
 }  // namespace crossgrain

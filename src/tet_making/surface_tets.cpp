@@ -137,8 +137,7 @@ PatchedSurface surface_to_fill(const Surface& surface, const CreaseAngles& creas
 }
 
 PatchedSurface filled_triangles(const PatchedSurface& given, const TetJob& job) {
-  Remeshing options{job.curvature, job.size};
-  PatchedSurface result = remeshed(given, options, job.monitor);
+  PatchedSurface result = remeshed(given, job.sizes, job.monitor);
   return has_crossings(result) ? given : result;
 }
 

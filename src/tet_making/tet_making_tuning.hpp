@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
 #include <filesystem>
 
 #include "crossgrain/tet_making.hpp"
@@ -16,13 +16,16 @@ struct TetMakingTuning : TetMakingOptions {
   /// Remeshing::smallest_share.
   double smallest_share = 0.1;
 
-  /// Error(kLimit) if more tets are to be expected.
-  std::size_t most_tets = 20000000;
-
   /// The programs; if empty, those of `cad_program`, `gmsh_program` and `netgen_program`.
   std::filesystem::path cad_program = {};
   std::filesystem::path gmsh = {};
   std::filesystem::path netgen = {};
+
+  /// Largest edge of the tets of a model with this longest side.
+  double size_for(double longest) const {
+    const double of_edges = longest / edges;
+    return size == 0 ? of_edges : at_least_edges ? std::min(size, of_edges) : size;
+  }
 };
 
 TetMesh make_tets(const std::filesystem::path& model, const TetMakingTuning& options,

@@ -5,11 +5,49 @@
 #include <signal.h>
 #include <string.h>
 
+#include <algorithm>
+#include <array>
 #include <system_error>
+#include <utility>
+
+#include "tets/tet_shape.hpp"
+#include "tets/tet_solid.hpp"
 
 namespace crossgrain {
+namespace {
 
-HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, const Monitor& monitor) {
+constexpr std::array kFaults{WarningKind::kRepeatedTets, WarningKind::kFlatTets,
+                             WarningKind::kOverlappingTets, WarningKind::kStrayTags};
+
+void drop_unused_vertices(TetMesh& mesh) {
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), UINT32_MAX);
+  for (const auto& tet : mesh.tets)
+    for (const std::uint32_t vertex : tet) new_index[vertex] = 0;
+  std::vector<Vector3> kept;
+  for (std::size_t v = 0; v < new_index.size(); ++v) {
+    if (new_index[v] == UINT32_MAX) continue;
+    new_index[v] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(mesh.vertices[v]);
+  }
+  const auto is_unused = [&](const auto& feature) {
+    return std::any_of(feature.vertices.begin(), feature.vertices.end(),
+                       [&](std::uint32_t v) { return new_index[v] == UINT32_MAX; });
+  };
+  std::erase_if(mesh.feature_edges, is_unused);
+  std::erase_if(mesh.feature_faces, is_unused);
+  const auto renumber = [&](auto& vertices) {
+    for (std::uint32_t& v : vertices) v = new_index[v];
+  };
+  for (auto& tet : mesh.tets) renumber(tet);
+  for (TetMesh::Edge& edge : mesh.feature_edges) renumber(edge.vertices);
+  for (TetMesh::Face& face : mesh.feature_faces) renumber(face.vertices);
+  mesh.vertices = std::move(kept);
+}
+
+}  // namespace
+
+HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, const PrivateFolder& folder,
+                              const Monitor& monitor) {
   using End = HelperOutcome::End;
   HelperOutcome outcome;
   try {
@@ -18,8 +56,7 @@ HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, con
     if (error.code() == std::errc::resource_unavailable_try_again)
       throw TetFailure{
           "the system starts no more processes, and tets are made in one; end some, or raise their limit "
-          "(ulimit "
-          "-u)",
+          "(ulimit -u)",
           ErrorKind::kLimit, Remedy::kNone};
     throw TetFailure{fmt::format("{} cannot be started: {}", run.program.string(), error.code().message()),
                      ErrorKind::kInput, Remedy::kInstallTetMaker};
@@ -33,11 +70,33 @@ HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, con
   if (outcome.end == End::kKilled && outcome.number == SIGKILL)
     throw TetFailure{fmt::format("the system stopped {}, usually because memory ran out", what),
                      ErrorKind::kLimit, Remedy::kTakeLargerTets};
-  if (outcome.end == End::kKilled && outcome.number != SIGXFSZ)
+  if (outcome.end == End::kKilled && outcome.number == SIGXFSZ)
+    folder.fail("the file is larger than allowed");
+  if (outcome.end == End::kKilled)
     throw TetFailure{fmt::format("{} crashed on it ({})", what, ::strsignal(outcome.number))};
   if (outcome.end == End::kTooLong || outcome.end == End::kLost)
     throw TetFailure{fmt::format("{} gave no answer", what)};
+  if (folder.is_full()) folder.fail("no space left");
   return outcome;
+}
+
+TetMesh checked_tets(TetMesh mesh, const std::string& program) {
+  if (mesh.tets.empty()) throw TetFailure{fmt::format("{} makes no tets of it", program)};
+  drop_unused_vertices(mesh);
+  for (auto& tet : mesh.tets)
+    if (shape_of_tet(mesh.vertices, tet) == TetShape::kInverted) std::swap(tet[2], tet[3]);
+  std::vector<Warning> warnings;
+  try {
+    prepare_tets(mesh, warnings);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInput) throw;
+    throw TetFailure{fmt::format("{} makes tets that are no solid: {}", program, error.what())};
+  }
+  for (Warning& warning : warnings) {
+    if (std::find(kFaults.begin(), kFaults.end(), warning.kind) != kFaults.end())
+      throw TetFailure{fmt::format("{} makes {}", program, warning.text)};
+  }
+  return mesh;
 }
 
 }  // namespace crossgrain

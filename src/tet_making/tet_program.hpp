@@ -2,14 +2,17 @@
 // What the library asks of a program that makes tets.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/interface.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "process/helper_process.hpp"
+#include "process/private_folder.hpp"
 #include "remeshing/remeshing_options.hpp"
 
 namespace crossgrain {
@@ -28,10 +31,9 @@ struct FilledTets {
 };
 
 struct TetJob {
-  double size;  ///< largest edge, model units
+  Remeshing sizes;
   double seconds;
   std::size_t max_memory_bytes;  ///< of the program
-  CurvatureSizes curvature;
   const Monitor& monitor;
 };
 
@@ -46,7 +48,10 @@ struct TetFailure {
 /// Error(kInterrupted).
 class TetProgram : public Interface {
  public:
-  virtual std::string name() const = 0;
+  TetProgram(std::string name, std::filesystem::path program)
+      : name_(std::move(name)), program_(std::move(program)) {}
+
+  const std::string& name() const { return name_; }
 
   /// Fills triangles, which stay as they are, with tets.
   virtual FilledTets fill(const ClosedTriangles& surface, const TetJob& job) const = 0;
@@ -54,13 +59,27 @@ class TetProgram : public Interface {
   /// Cuts solids in BREP into tets. Regions and tags of triangles and edges are the places of solids, faces
   /// and edges in TopExp::MapShapes, from 1.
   virtual TetMesh cut(const std::string& brep, const TetJob& job) const = 0;
+
+ protected:
+  const std::filesystem::path& program() const { return program_; }
+
+ private:
+  std::string name_;
+  std::filesystem::path program_;
 };
 
 std::unique_ptr<TetProgram> gmsh_tets(const std::filesystem::path& program);
 std::unique_ptr<TetProgram> netgen_tets(const std::filesystem::path& program);
 
-/// Runs a program of a job and returns its outcome. Throws TetFailure if it crashed, or exceeded its time or
-/// memory, in the name of `what`, and if it cannot be started.
-HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, const Monitor& monitor);
+/// Runs a program with files in a folder and returns its outcome. Throws TetFailure if it crashed, or
+/// exceeded its time or memory, in the name of `what`, and if it cannot be started; Error(kOutput) for a full
+/// disk.
+HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, const PrivateFolder& folder,
+                              const Monitor& monitor);
+
+/// Returns what a program made as a mesh for a field: without vertices that no tet uses, all tets with a
+/// positive volume by the order of their vertices. Throws TetFailure if a tet has no volume, or the tets
+/// overlap or fold over themselves. Where the solid touches itself, TetMesh::warnings says so.
+TetMesh checked_tets(TetMesh mesh, const std::string& program);
 
 }  // namespace crossgrain

@@ -147,9 +147,9 @@ TEST(CadProcess, BelievesNoAnswerBeyondALimit) {
     return cad_answer_in(written(answer)).has_value();
   };
   constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNone = std::nan("");
-  EXPECT_TRUE(is_believed([](CadAnswer& a) { a.mesh.unit.assign(kMostCadTextBytes, 'm'); }));
+  EXPECT_TRUE(is_believed([](CadAnswer& a) { a.mesh.unit.assign(kMostTextBytes, 'm'); }));
   EXPECT_TRUE(is_believed([](CadAnswer& a) { a.mesh.warnings.resize(kMostCadWarnings); }));
-  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.unit.assign(kMostCadTextBytes + 1, 'm'); }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.unit.assign(kMostTextBytes + 1, 'm'); }));
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.warnings.resize(kMostCadWarnings + 1); }));
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.warnings[0].text = "\x1b[2J"; }));
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.fault.text = "two\nlines"; }));

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "cad_reading/cad_messages.hpp"
+#include "process/answer_stream.hpp"
+#include "process/helper_program.hpp"
 
 namespace crossgrain {
 
@@ -15,7 +17,7 @@ inline std::string written(const CadAnswer& answer) {
   char* bytes = nullptr;
   std::size_t size = 0;
   std::FILE* file = ::open_memstream(&bytes, &size);
-  write_cad_greeting(file);
+  write_greeting(file, kCadProgramName);
   write_cad_answer(file, answer);
   std::fclose(file);
   const std::string copy(bytes, size);

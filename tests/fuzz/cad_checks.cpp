@@ -5,13 +5,14 @@
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"
+#include "process/answer_stream.hpp"
 #include "tet_making/netgen_messages.hpp"
 
 namespace crossgrain {
 namespace {
 
 void require_line(std::string_view text) {
-  require(text.size() <= kMostCadTextBytes, "a text of " + std::to_string(text.size()) + " bytes");
+  require(text.size() <= kMostTextBytes, "a text of " + std::to_string(text.size()) + " bytes");
   require(std::ranges::none_of(text, [](unsigned char c) { return c < ' ' || c == 0x7f; }),
           "a text with control characters");
 }

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "process/answer_stream.hpp"
+#include "process/helper_program.hpp"
 #include "tet_making/netgen_messages.hpp"
 
 namespace crossgrain {
@@ -15,7 +17,7 @@ inline std::string written(const NetgenAnswer& answer) {
   char* bytes = nullptr;
   std::size_t size = 0;
   std::FILE* file = ::open_memstream(&bytes, &size);
-  write_netgen_greeting(file);
+  write_greeting(file, kNetgenProgramName);
   write_netgen_answer(file, answer);
   std::fclose(file);
   const std::string copy(bytes, size);

@@ -21,16 +21,16 @@ namespace crossgrain {
 namespace {
 
 TEST(NetgenMessages, ARequestIsReadToTheBit) {
-  NetgenRequest request{4711, NetgenWork::kCut, 0.1, {}, SIZE_MAX, "/tmp/a b"};
-  request.curvature.edges_per_circle = 1.0 / 3;
-  request.curvature.smallest_share = 1e-300;
+  NetgenRequest request{4711, NetgenWork::kCut, {0.1}, SIZE_MAX, "/tmp/a b"};
+  request.sizes.edges_per_circle = 1.0 / 3;
+  request.sizes.smallest_share = 1e-300;
   const std::optional<NetgenRequest> got = netgen_request_of(arguments_of(request));
   ASSERT_TRUE(got);
   EXPECT_EQ(got->asking_process, 4711);
   EXPECT_EQ(got->work, NetgenWork::kCut);
-  EXPECT_EQ(got->size, 0.1);
-  EXPECT_EQ(got->curvature.edges_per_circle, 1.0 / 3);
-  EXPECT_EQ(got->curvature.smallest_share, 1e-300);
+  EXPECT_EQ(got->sizes.size, 0.1);
+  EXPECT_EQ(got->sizes.edges_per_circle, 1.0 / 3);
+  EXPECT_EQ(got->sizes.smallest_share, 1e-300);
   EXPECT_EQ(got->max_memory_bytes, SIZE_MAX);
   EXPECT_EQ(got->folder, "/tmp/a b");
 }

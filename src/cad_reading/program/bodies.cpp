@@ -142,7 +142,7 @@ Bodies find_bodies(const TopoDS_Shape& shape, const CadReading& options) {
   result.face_numbers.assign(static_cast<std::size_t>(result.faces.Extent()) + 1, 0);
   for (int number = 1; number <= faces.Extent(); ++number) {
     const TopoDS_Shape sewn = result.faces.Contains(faces(number)) ? faces(number) : loose.now(faces(number));
-    for (const TopoDS_Shape& face : glued ? glued->now(sewn) : std::vector<TopoDS_Shape>{sewn}) {
+    for (const TopoDS_Shape& face : glued ? glued->parts_of(sewn) : std::vector<TopoDS_Shape>{sewn}) {
       std::int32_t& known = result.face_numbers[static_cast<std::size_t>(result.faces.FindIndex(face))];
       if (known == 0) known = number;
     }

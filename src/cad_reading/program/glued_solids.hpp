@@ -25,12 +25,10 @@ class GluedSolids {
   /// In the order of their numbers.
   const std::vector<Piece>& pieces() const { return pieces_; }
 
-  /// Returns what has become of a face of the solids.
-  std::vector<TopoDS_Shape> now(const TopoDS_Shape& face) { return parts_of(face); }
-
- private:
+  /// Returns what has become of a solid or face.
   std::vector<TopoDS_Shape> parts_of(const TopoDS_Shape& shape);
 
+ private:
   BOPAlgo_Builder builder_;
   std::vector<Piece> pieces_;
 };

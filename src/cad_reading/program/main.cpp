@@ -6,12 +6,10 @@
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <string_view>
 
 #include "cad_reading/cad_messages.hpp"
 #include "cad_reading/program/bodies.hpp"
@@ -20,20 +18,13 @@
 #include "cad_reading/program/shape_file.hpp"
 #include "cad_reading/program/solid_text.hpp"
 #include "cad_reading/program/tessellation.hpp"
+#include "process/answer_stream.hpp"
 #include "process/helper_process.hpp"
+#include "process/helper_program.hpp"
 #include "process/helper_side.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// Returns the text as one line of bearable length, whatever OpenCASCADE or the file puts in.
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  constexpr std::string_view kCut = "...";
-  if (text.size() > kMostCadTextBytes) text.replace(kMostCadTextBytes - kCut.size(), text.npos, kCut);
-  return text;
-}
 
 CadAnswer read(const CadRequest& request) {
   const CadShape file = read_shape(request.path, request.format);
@@ -97,7 +88,7 @@ int run(const std::vector<std::string>& arguments) {
     std::fputs("crossgrain_cad is run by Crossgrain, to read a CAD file; run crossgrain instead\n", stderr);
     return kNotAsked;
   }
-  write_cad_greeting(answer_file);
+  write_greeting(answer_file, kCadProgramName);
   const std::optional<CadRequest> request = cad_request_of(arguments);
   if (!request) return kNotAsked;
   serve_only(request->asking_process, request->options.max_memory_bytes);

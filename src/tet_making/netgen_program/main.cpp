@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <new>
 
+#include "process/answer_stream.hpp"
 #include "process/helper_process.hpp"
+#include "process/helper_program.hpp"
 #include "process/helper_side.hpp"
 #include "tet_making/netgen_messages.hpp"
 #include "tet_making/netgen_program/netgen_work.hpp"
@@ -33,7 +35,7 @@ int run(const std::vector<std::string>& arguments) {
                stderr);
     return kNotAsked;
   }
-  write_netgen_greeting(out);
+  write_greeting(out, kNetgenProgramName);
   const std::optional<NetgenRequest> request = netgen_request_of(arguments);
   if (!request) return kNotAsked;
   serve_only(request->asking_process, request->max_memory_bytes);

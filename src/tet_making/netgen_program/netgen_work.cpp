@@ -20,11 +20,11 @@ std::string content_of(const std::string& path) {
 
 nglib::Ng_Meshing_Parameters parameters_for(const NetgenRequest& request) {
   nglib::Ng_Meshing_Parameters parameters;
-  parameters.maxh = request.size;
-  parameters.minh = request.curvature.smallest_share * request.size;
+  parameters.maxh = request.sizes.size;
+  parameters.minh = request.sizes.smallest_share * request.sizes.size;
   parameters.grading = kGradation;
   // Netgen counts elements per radius of curvature, and may leave short edges whole.
-  parameters.elementspercurve = request.curvature.edges_per_circle / (2 * std::numbers::pi);
+  parameters.elementspercurve = request.sizes.edges_per_circle / (2 * std::numbers::pi);
   parameters.elementsperedge = 1;
   return parameters;
 }
