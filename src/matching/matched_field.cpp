@@ -193,16 +193,10 @@ std::optional<MatchedField::Border> MatchedField::border_of(std::uint32_t vertex
   // about the direction of the edge between them away from the vertex.
   const std::span<const TetComplex::RingFace> ring = complex_->ring(vertex);
   const std::size_t count = ring.size();
-  const auto carry = [&](std::size_t k, SignedAxis axis) {
+  const auto carry = [&](std::size_t k, SignedAxis axis, bool back = false) {
     const std::uint32_t edge = ring[k].edge;
     std::uint8_t product = holonomy(edge);
-    if (complex_->edges()[edge].ends[0] != vertex) product = group_->inverse_of(product);
-    return group_->image(product, axis);
-  };
-  const auto carry_back = [&](std::size_t k, SignedAxis axis) {
-    const std::uint32_t edge = ring[k].edge;
-    std::uint8_t product = holonomy(edge);
-    if (complex_->edges()[edge].ends[0] == vertex) product = group_->inverse_of(product);
+    if ((complex_->edges()[edge].ends[0] == vertex) == back) product = group_->inverse_of(product);
     return group_->image(product, axis);
   };
   const auto normal = [&](std::size_t k) { return normal_axis(ring[k % count].face); };
@@ -239,7 +233,7 @@ std::optional<MatchedField::Border> MatchedField::border_of(std::uint32_t vertex
       carried = carry(k, carried);
       continue;
     }
-    int sector = quarters(normal(k), carried, carry_back(k, along[k]));
+    int sector = quarters(normal(k), carried, carry(k, along[k], /*back=*/true));
     if (sector == 0 && angle > std::numbers::pi) sector = 4;
     border.sectors.push_back(sector);
     border.is_open.push_back(angle > 1.25 * std::numbers::pi);

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/ascending.hpp"
 #include "base/vector3.hpp"
 #include "tets/tet_shape.hpp"
 
@@ -43,12 +44,6 @@ std::vector<TetAtEdge> tets_at_edges(const std::vector<std::array<std::uint32_t,
 
 using Face = std::array<std::uint32_t, 3>;
 
-Face sorted_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  Face face{a, b, c};
-  std::sort(face.begin(), face.end());
-  return face;
-}
-
 /// Index of an inner face, or kNoFace.
 std::uint32_t inner_face(const TetSolid& solid, const Face& face) {
   const auto found = std::lower_bound(
@@ -60,11 +55,10 @@ std::uint32_t inner_face(const TetSolid& solid, const Face& face) {
 
 /// Index of a boundary face; the boundary ascends by sorted vertices.
 std::uint32_t boundary_face(const TetSolid& solid, const Face& face) {
-  const auto key = [](const Face& f) { return sorted_face(f[0], f[1], f[2]); };
   const auto found =
       std::lower_bound(solid.boundary.begin(), solid.boundary.end(), face,
-                       [&](const Face& boundary, const Face& wanted) { return key(boundary) < wanted; });
-  if (found == solid.boundary.end() || key(*found) != face) return kNoFace;
+                       [](const Face& boundary, const Face& wanted) { return ascending(boundary) < wanted; });
+  if (found == solid.boundary.end() || ascending(*found) != face) return kNoFace;
   return static_cast<std::uint32_t>(found - solid.boundary.begin());
 }
 
@@ -103,8 +97,8 @@ std::vector<std::array<Crossing, 4>> crossings_of(const TetSolid& solid) {
 }
 
 TetComplex::TetComplex(const TetSolid& solid, const InnerFeatures& features) : solid_(&solid) {
-  for (const auto& [a, b, c] : features.faces)
-    if (const std::uint32_t face = inner_face(solid, sorted_face(a, b, c)); face != kNoFace)
+  for (const Face& given : features.faces)
+    if (const std::uint32_t face = inner_face(solid, ascending(given)); face != kNoFace)
       wall_faces_.push_back(face);
   for (const auto& [a, b, c] : solid.boundary) {
     const std::vector<Vector3>& v = solid.mesh.vertices;
@@ -143,12 +137,12 @@ void TetComplex::find_edges() {
               order.size() < end - begin};
     around_begins_.push_back(static_cast<std::uint32_t>(crossings_.size()));
     for (std::size_t k = 0; k < order.size(); ++k) {
-      const std::uint32_t face = inner_face(solid, sorted_face(ends[0], ends[1], order[k]->ahead));
+      const std::uint32_t face = inner_face(solid, ascending(Face{ends[0], ends[1], order[k]->ahead}));
       if (face == kNoFace) break;
       crossings_.push_back({face, solid.inner_faces[face].tets[0] != order[k]->tet});
     }
-    edge.boundary_faces = {boundary_face(solid, sorted_face(ends[0], ends[1], order.front()->behind)),
-                           boundary_face(solid, sorted_face(ends[0], ends[1], order.back()->ahead))};
+    edge.boundary_faces = {boundary_face(solid, ascending(Face{ends[0], ends[1], order.front()->behind})),
+                           boundary_face(solid, ascending(Face{ends[0], ends[1], order.back()->ahead}))};
     edges_.push_back(edge);
     mean_edge_length_ += edge.length;
   }

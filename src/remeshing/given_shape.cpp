@@ -27,8 +27,7 @@ class PatchNormals {
   explicit PatchNormals(const PatchedSurface& given) : given_(given) {
     for (std::size_t t = 0; t < given.triangles.size(); ++t)
       for (const std::uint32_t vertex : given.triangles[t]) keys_.push_back(key(vertex, t));
-    std::sort(keys_.begin(), keys_.end());
-    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+    sort_uniquely(keys_);
     normals_.assign(keys_.size(), {0, 0, 0});
     for (std::size_t t = 0; t < given.triangles.size(); ++t) add(t);
     for (Vector3& normal : normals_) normal = normalised(normal);

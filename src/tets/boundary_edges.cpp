@@ -2,9 +2,10 @@
 #include "tets/boundary_edges.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <span>
 
 #include "base/disjoint_sets.hpp"
+#include "surface/edge_uses.hpp"
 
 namespace crossgrain {
 namespace {
@@ -35,40 +36,25 @@ void count_vertices(const BoundaryFaces& boundary, DisjointSets& fans, std::vect
 
 }  // namespace
 
-std::vector<BoundaryEdgeUse> boundary_edge_uses(const BoundaryFaces& boundary) {
-  std::vector<BoundaryEdgeUse> uses;
-  uses.reserve(3 * boundary.size());
-  for (std::size_t f = 0; f < boundary.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax({boundary[f][k], boundary[f][(k + 1) % 3]});
-      uses.push_back({low, high, static_cast<std::uint32_t>(f)});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const BoundaryEdgeUse& a, const BoundaryEdgeUse& b) {
-    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
-  });
-  return uses;
-}
-
 BoundaryFaults find_boundary_faults(const BoundaryFaces& boundary) {
   BoundaryFaults faults;
   if (boundary.empty()) return faults;
-  const std::vector<BoundaryEdgeUse> uses = boundary_edge_uses(boundary);
+  const std::vector<EdgeUse> uses = sorted_edge_uses(boundary);
   std::uint32_t highest = 0;
-  for (const BoundaryEdgeUse& use : uses) highest = std::max(highest, use.high);
+  for (const EdgeUse& use : uses) highest = std::max(highest, use.high());
   std::vector<std::uint32_t> on_fault(highest + 1, 0);
   DisjointSets fans(3 * boundary.size());
-  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-    const BoundaryEdgeUse& edge = uses[begin];
-    while (end < uses.size() && uses[end].same_edge(edge)) ++end;
-    if (end - begin > 2) {
-      if (faults.edges++ == 0) faults.first_edge = {edge.low, edge.high};
-      on_fault[edge.low] = on_fault[edge.high] = 1;
-    } else if (end - begin == 2) {
-      for (const std::uint32_t vertex : {edge.low, edge.high})
-        fans.join(corner_at(boundary, edge.face, vertex), corner_at(boundary, uses[begin + 1].face, vertex));
+  for_each_edge(std::span(uses), [&](std::span<const EdgeUse> edge) {
+    const std::array ends{edge[0].low(), edge[0].high()};
+    if (edge.size() > 2) {
+      if (faults.edges++ == 0) faults.first_edge = ends;
+      on_fault[ends[0]] = on_fault[ends[1]] = 1;
+    } else if (edge.size() == 2) {
+      for (const std::uint32_t vertex : ends)
+        fans.join(corner_at(boundary, edge[0].triangle, vertex),
+                  corner_at(boundary, edge[1].triangle, vertex));
     }
-  }
+  });
   count_vertices(boundary, fans, std::move(on_fault), faults);
   return faults;
 }

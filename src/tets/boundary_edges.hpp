@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges and vertices of the boundary of a tet mesh, and the faults where it is not a surface.
+// Faults of the boundary of a tet mesh, where it is not a surface.
 #pragma once
 
 #include <array>
@@ -10,17 +10,6 @@
 namespace crossgrain {
 
 using BoundaryFaces = std::vector<std::array<std::uint32_t, 3>>;
-
-/// A face's use of an edge.
-struct BoundaryEdgeUse {
-  std::uint32_t low, high;  ///< vertices, low < high
-  std::uint32_t face;       ///< index into the boundary
-
-  bool same_edge(const BoundaryEdgeUse& other) const { return low == other.low && high == other.high; }
-};
-
-/// The three edges of every face, ascending by (low, high, face), so that uses of one edge are adjacent.
-std::vector<BoundaryEdgeUse> boundary_edge_uses(const BoundaryFaces& boundary);
 
 /// Edges and vertices at which the boundary of tets is not a surface.
 struct BoundaryFaults {

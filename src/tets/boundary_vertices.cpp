@@ -9,8 +9,8 @@
 #include "base/ascending.hpp"
 #include "base/vector3.hpp"
 #include "surface/crease_network.hpp"
+#include "surface/edge_uses.hpp"
 #include "surface/surface.hpp"
-#include "tets/boundary_edges.hpp"
 
 namespace crossgrain {
 namespace {
@@ -30,7 +30,7 @@ struct SharpEdges {
 
 /// Faces of the boundary, followed by those of the walls inside.
 struct AllFaces {
-  BoundaryFaces faces;
+  std::vector<std::array<std::uint32_t, 3>> faces;
   std::vector<TriangleShape> shapes;
   std::size_t on_boundary;
 
@@ -43,18 +43,12 @@ struct AllFaces {
 
   bool is_inner(std::size_t face) const { return face >= on_boundary; }
 
-  /// Whether the face has an edge in the direction from one vertex to the other.
-  bool runs(std::uint32_t face, std::uint32_t from, std::uint32_t to) const {
-    const auto& [a, b, c] = faces[face];
-    return (a == from && b == to) || (b == from && c == to) || (c == from && a == to);
-  }
-
   /// Cosine of the angle between the normals of two faces, on one side of their common edge. All boundary
   /// faces point outward.
-  double cosine(const BoundaryEdgeUse& a, const BoundaryEdgeUse& b) const {
-    const double between = dot(shapes[a.face].normal, shapes[b.face].normal);
-    if (!is_inner(a.face) && !is_inner(b.face)) return between;
-    return runs(a.face, a.low, a.high) == runs(b.face, a.low, a.high) ? -between : between;
+  double cosine(const EdgeUse& a, const EdgeUse& b) const {
+    const double between = dot(shapes[a.triangle].normal, shapes[b.triangle].normal);
+    if (!is_inner(a.triangle) && !is_inner(b.triangle)) return between;
+    return a.forward == b.forward ? -between : between;
   }
 };
 
@@ -105,26 +99,22 @@ std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeature
   std::vector<SharpEdge> sharp;
   std::vector<std::uint32_t> holding;
   const double flattest_cosine = std::cos(options.sharp_dihedral_deg * kDegree);
-  std::vector<BoundaryEdgeUse> uses = boundary_edge_uses(all.faces);
-  std::erase_if(uses, [&](const BoundaryEdgeUse& use) { return all.shapes[use.face].area == 0; });
-  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-    const BoundaryEdgeUse& edge = uses[begin];
-    while (end < uses.size() && uses[end].same_edge(edge)) ++end;
+  std::vector<EdgeUse> uses = sorted_edge_uses(all.faces);
+  std::erase_if(uses, [&](const EdgeUse& use) { return all.shapes[use.triangle].area == 0; });
+  for_each_edge(std::span(uses), [&](std::span<const EdgeUse> edge) {
+    const VertexPair ends{edge[0].low(), edge[0].high()};
     // An edge of one face is next to a face without area, which hides how the boundary continues, or is the
     // end of a wall.
-    if (end - begin != 2) holding.insert(holding.end(), {edge.low, edge.high});
-    if (end - begin == 1) continue;
-    if (end - begin > 2) {
-      edges.push_back({edge.low, edge.high});
-      continue;
-    }
-    const double cosine = all.cosine(edge, uses[begin + 1]);
-    if (cosine >= flattest_cosine) continue;
+    if (edge.size() != 2) holding.insert(holding.end(), ends.begin(), ends.end());
+    if (edge.size() > 2) edges.push_back(ends);
+    if (edge.size() != 2) return;
+    const double cosine = all.cosine(edge[0], edge[1]);
+    if (cosine >= flattest_cosine) return;
     const double turn_rad = std::acos(std::max(cosine, -1.0));
-    const double area = all.shapes[edge.face].area + all.shapes[uses[begin + 1].face].area;
-    const double length = norm(vertices[edge.high] - vertices[edge.low]);
-    sharp.push_back({{edge.low, edge.high}, turn_rad, length_in_radii(turn_rad, length, area)});
-  }
+    const double area = all.shapes[edge[0].triangle].area + all.shapes[edge[1].triangle].area;
+    const double length = norm(vertices[ends[1]] - vertices[ends[0]]);
+    sharp.push_back({ends, turn_rad, length_in_radii(turn_rad, length, area)});
+  });
   for (const auto& [a, b] : features.edges) {
     if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
   }
@@ -132,8 +122,7 @@ std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeature
   const std::vector<std::uint8_t> counts = are_creases(sharp, holding, options.fading);
   for (std::size_t e = 0; e < sharp.size(); ++e)
     if (counts[e]) edges.push_back(sharp[e].vertices);
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_uniquely(edges);
   return edges;
 }
 

@@ -22,8 +22,7 @@ Face turned(const Face& face) {
 std::vector<Face> tagged_faces(const TetMesh& mesh) {
   std::vector<Face> faces;
   for (const TetMesh::Face& face : mesh.feature_faces) faces.push_back(ascending(face.vertices));
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_uniquely(faces);
   return faces;
 }
 

@@ -53,14 +53,6 @@ class TetSplits {
   const std::vector<std::array<std::uint32_t, 4>>& tets() const { return tets_.simplices(); }
   const std::vector<std::uint32_t>& parents() const { return tets_.parents(); }
 
-  /// The tets at a vertex, in no particular order.
-  std::span<const std::uint32_t> tets_at(std::uint32_t vertex) const { return tets_.at(vertex); }
-
-  /// The tets that have all these vertices, ascending.
-  std::vector<std::uint32_t> tets_around(std::span<const std::uint32_t> vertices) const {
-    return tets_.around(vertices);
-  }
-
   SplitTetMesh result() const;
 
  private:
