@@ -46,7 +46,6 @@ AttemptKind* AttemptQueue::due() const {
 void AttemptQueue::make(AttemptKind& kind) {
   monitor_.check_stop();
   Stopwatch stopwatch;
-  stopwatch.start();
   const std::size_t before = attempts_.size();
   try {
     for (HexCandidate& candidate : kind.make(*this)) add(kind, std::move(candidate));
@@ -63,7 +62,6 @@ void AttemptQueue::make(AttemptKind& kind) {
 void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   HexAttempt& attempt = candidate.attempt;
   attempt.kind = kind.name();
-  attempt.round = candidate.round;
   if (candidate.made && !candidate.made->mesh.hexahedra.empty())
     attempt.outcome = candidate.made->are_complete() ? HexOutcome::kAllHex : HexOutcome::kPartial;
   const HexSeconds& seconds = candidate.seconds;
@@ -74,13 +72,13 @@ void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   if (attempt.seconds == 0) attempt.seconds = seconds.sum();
   candidate.number = attempts_.size();
   attempts_.push_back(attempt);
-  if (candidate.made || candidate.mappable)
+  if (candidate.made || candidate.followed)
     keep_if_better(std::make_shared<const HexCandidate>(std::move(candidate)));
 }
 
 void AttemptQueue::keep_if_better(const std::shared_ptr<const HexCandidate>& candidate) {
   if (is_done()) return;
-  const std::size_t round = candidate->round;
+  const std::size_t round = candidate->attempt.round;
   if (of_rounds_.size() <= round) of_rounds_.resize(round + 1);
   if (of_rounds_[round] && !is_better_in_round(*candidate, *of_rounds_[round], least_quality_)) return;
   of_rounds_[round] = candidate;

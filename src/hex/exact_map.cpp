@@ -12,6 +12,27 @@ namespace {
 
 using Index = Eigen::Index;
 
+using Axis = std::array<Int128, 3>;
+
+Axis exact_cross(const Axis& a, const Axis& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Whether the cube, centred at the origin with sides of 2 units, lies on one side of the triangle along an
+/// axis. Lengths are twice as long as given, so that the centre is whole.
+bool separates(const Axis& axis, const std::array<Axis, 3>& triangle) {
+  Int128 low = 0, high = 0, reach = 0;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    Int128 at = 0;
+    for (std::size_t k = 0; k < 3; ++k) at += axis[k] * triangle[corner][k];
+    low = corner == 0 ? at : std::min(low, at);
+    high = corner == 0 ? at : std::max(high, at);
+  }
+  for (const Int128 part : axis) reach += (part < 0 ? -part : part) * kGridUnit;
+  if (reach == 0) return false;  // no axis
+  return low >= reach || high <= -reach;
+}
+
 ExactPoint rounded(const MapCoordinates& map, std::uint32_t copy) {
   ExactPoint point{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -50,13 +71,22 @@ std::array<ExactPoint, 3> face_opposite(const std::array<ExactPoint, 4>& corners
 
 }  // namespace
 
-ExactPoint turned(std::uint8_t rotation, const ExactPoint& p) {
-  ExactPoint result{};
-  for (SignedAxis k = 0; k < 3; ++k) {
-    const SignedAxis image = CubeGroup::instance().image(rotation, k);
-    result[image % 3] = image < 3 ? p[k] : -p[k];
+bool meets_open_cell(const std::array<ExactPoint, 3>& triangle, const ExactPoint& low) {
+  std::array<Axis, 3> corners{};
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    for (std::size_t k = 0; k < 3; ++k) corners[corner][k] = 2 * (triangle[corner][k] - low[k]) - kGridUnit;
+  std::array<Axis, 3> edges{};
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    for (std::size_t k = 0; k < 3; ++k)
+      edges[corner][k] = triangle[(corner + 1) % 3][k] - triangle[corner][k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    Axis unit{0, 0, 0};
+    unit[k] = 1;
+    if (separates(unit, corners)) return false;
+    for (const Axis& edge : edges)
+      if (separates(exact_cross(edge, unit), corners)) return false;
   }
-  return result;
+  return !separates(exact_cross(edges[0], edges[1]), corners);
 }
 
 ExactMap::ExactMap(const MapUnknowns& unknowns, const MapCoordinates& map)

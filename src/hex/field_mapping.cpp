@@ -8,14 +8,21 @@
 
 #include "base/stopwatch.hpp"
 #include "hex/hex_report.hpp"
-#include "hex/mapped_field.hpp"
+#include "hex/hex_smoothing.hpp"
 #include "hex/work.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
+#include "reduction/arc_lengths.hpp"
+#include "solve/tet_domain_data.hpp"
+#include "solve/tet_field.hpp"
 #include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
+
+/// Hexahedra are coarse if they are fewer than this share of what would fill the model: the map has
+/// collapsed, and they are far larger than asked for.
+constexpr double kLeastShare = 0.2;
 
 std::vector<Foot> feet_of(const MapSurface& surface, const std::vector<Carrier>& carriers) {
   std::vector<Foot> feet;
@@ -47,8 +54,8 @@ MadeHexahedra made_of(const FollowedField& followed, const FollowingMap& followi
       close_on_the_surface(following.extracted, topology, following.feet) &&
       largest_distance_to(made.mesh, {solid.mesh.vertices, solid.boundary}) <= tuning.largest_gap * size;
   const double model_volume = volume_of(solid.mesh);
-  made.is_coarse = static_cast<double>(mesh.hexahedra.size()) <
-                   tuning.least_share * model_volume / std::pow(asked_size, 3);
+  made.is_coarse =
+      static_cast<double>(mesh.hexahedra.size()) < kLeastShare * model_volume / std::pow(asked_size, 3);
   made.left_out = following.extracted.left_out;
   const std::vector<double> volumes = volumes_of(made.mesh);
   made.volume_missed = std::abs(std::accumulate(volumes.begin(), volumes.end(), 0.0) / model_volume - 1);
@@ -57,57 +64,69 @@ MadeHexahedra made_of(const FollowedField& followed, const FollowingMap& followi
 
 }  // namespace
 
-MappingEffort little_effort() {
-  MappingEffort effort;
-  effort.map.untangling.rounds = 2;
-  effort.map.quantisation.breakouts = 20;
-  effort.smoothing.rounds = 5;
-  effort.smoothing.powers = {1};
-  effort.smoothing.slack = 0;
-  return effort;
+FollowedField::FollowedField(TetFrameField repaired) : field_(std::move(repaired)) {
+  const TetSolid& solid = field_.domain().data().solid;
+  const TetComplex complex(solid);
+  const MatchedField matched(complex, field_.data().tet_frames, matchings_of(solid, field_.data()));
+  const SingularityGraph& graph = field_.singularities();
+  for (const std::size_t arc : arcs_of_length_zero(matched, graph)) {
+    const auto& vertices = graph.arcs[arc].vertices;
+    arcs_without_length_.push_back(
+        solid.mesh.vertices[static_cast<std::size_t>(vertices[vertices.size() / 2])]);
+  }
+  split_ = split_for_map(matched);
+  cut_ = std::make_unique<CutSolid>(*split_.field);
+  unknowns_ = std::make_unique<MapUnknowns>(*cut_);
 }
 
 HexCandidate followed_candidate(TetFrameField field, double asked_size, std::size_t round) {
   Stopwatch stopwatch;
-  stopwatch.start();
   HexCandidate candidate;
   candidate.asked_size = asked_size;
-  candidate.round = round;
   HexAttempt& attempt = candidate.attempt;
+  attempt.round = round;
   attempt.tets = field.domain().mesh().tets.size();
   attempt.work = kFieldWork * static_cast<double>(attempt.tets);
   const auto& onto = field.report().onto;
   if (onto && onto->repair) attempt.faults = onto->repair->faults;
-  candidate.mappable = std::make_shared<const MappableField>(std::move(field));
-  attempt.arcs_without_length = candidate.mappable->followed.arcs_without_length().size();
+  candidate.followed = std::make_shared<const FollowedField>(std::move(field));
+  attempt.arcs_without_length = candidate.followed->arcs_without_length().size();
   candidate.seconds.map = stopwatch.restart();
   return candidate;
 }
 
 HexCandidate mapped_candidate(const HexCandidate& of, double size, const HexTuning& tuning,
-                              const MappingEffort& effort) {
+                              MappingEffort effort) {
   Stopwatch stopwatch;
-  stopwatch.start();
+  GridMapOptions map_options;
+  HexSmoothingOptions smoothing;
+  if (effort == MappingEffort::kLittle) {
+    map_options.untangling.rounds = 2;
+    map_options.breakouts = 20;
+    smoothing = {.powers = {1}, .rounds = 5, .slack = 0};
+  }
   HexCandidate candidate = of;
-  const FollowedField& followed = candidate.mappable->followed;
+  candidate.seconds = {};
+  candidate.attempt.seconds = 0;
+  const FollowedField& followed = *of.followed;
   auto following = std::make_shared<FollowingMap>();
   const MapEnergy energy(followed.unknowns(), size);
-  following->map = integer_grid_map(energy, effort.map);
+  following->map = integer_grid_map(energy, map_options);
   following->determinants = determinants_of(energy, following->map.coordinates);
-  candidate.seconds.map += stopwatch.restart();
+  candidate.seconds.map = stopwatch.restart();
   following->extracted = extracted_hexahedra(followed.unknowns(), following->map.coordinates);
   following->feet = feet_of(MapSurface(followed.matched()), following->extracted.carriers);
   const HexTopology topology = topology_of(following->extracted.mesh);
-  candidate.seconds.extraction += stopwatch.restart();
-  candidate.made = made_of(followed, *following, size, of.asked_size, topology, tuning, effort.smoothing);
-  candidate.seconds.smoothing += stopwatch.restart();
+  candidate.seconds.extraction = stopwatch.restart();
+  candidate.made = made_of(followed, *following, size, of.asked_size, topology, tuning, smoothing);
+  candidate.seconds.smoothing = stopwatch.restart();
 
   HexAttempt& attempt = candidate.attempt;
   attempt.size = size;
   attempt.seamless_flips = following->map.untangled.tets;
   attempt.flips = following->extracted.flipped_tets;
   attempt.hexahedra = following->extracted.mesh.hexahedra.size();
-  attempt.work +=
+  attempt.work =
       kMapWork * static_cast<double>(attempt.tets) + kHexahedronWork * static_cast<double>(attempt.hexahedra);
   candidate.following = std::move(following);
   return candidate;

@@ -23,7 +23,7 @@ struct MadeHexahedra {
   bool are_complete() const { return fills && quality.inverted == 0; }
 };
 
-struct MappableField;
+class FollowedField;
 struct FollowingMap;
 
 /// Seconds of the steps of an attempt.
@@ -37,10 +37,9 @@ struct HexSeconds {
 struct HexCandidate {
   HexAttempt attempt;
   double asked_size = 0;   ///< of the hexahedra
-  std::size_t round = 0;   ///< of the queue, that its field or tets belong to
   std::size_t number = 0;  ///< in AttemptQueue::attempts
   std::optional<MadeHexahedra> made = {};
-  std::shared_ptr<const MappableField> mappable = {};
+  std::shared_ptr<const FollowedField> followed = {};
   std::shared_ptr<const FollowingMap> following = {};
   HexSeconds seconds = {};
 

@@ -12,7 +12,6 @@
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "hex/exact_map.hpp"
-#include "hex/exact_point.hpp"
 
 namespace crossgrain {
 namespace {

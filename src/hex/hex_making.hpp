@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hexahedra with a tuning: for tests, bench, and whoever adds attempts of further kinds.
+// Hexahedra by a queue of attempts, for whoever adds attempts of further kinds.
 #pragma once
+
+#include <functional>
 
 #include "crossgrain/hexahedra.hpp"
 #include "hex/attempt_queue.hpp"
@@ -8,20 +10,12 @@
 
 namespace crossgrain {
 
-/// Throws Error(kUsage) for options out of range.
-void check_options(const HexOptions& options);
-
 /// Returns a field to start from, with the size of hexahedra that the options ask for.
 StartingField starting_field(TetFrameField field, const HexOptions& options);
 
-/// Adds the kinds of attempts that go on with a field. The tuning must outlive the queue.
-void add_kinds_on_fields(const HexOptions& options, const HexTuning& tuning, AttemptQueue& queue);
-
-/// Returns the best of a queue that has a mesh, with the report of all attempts.
-Hexahedra best_hexahedra(const AttemptQueue& queue);
-
-/// As the public function of that name.
-Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const HexTuning& tuning,
-                    const Monitor& monitor);
+/// Returns the best of all attempts, with the report of all. `begin` starts on a field, or adds attempts that
+/// do. Throws Error(kUsage) before for options out of range.
+Hexahedra best_of_attempts(const std::function<void(AttemptQueue&)>& begin, const HexOptions& options,
+                           const HexTuning& tuning, const Monitor& monitor);
 
 }  // namespace crossgrain

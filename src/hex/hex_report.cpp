@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hex/hex_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "base/names.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "hex/field_mapping.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
 #include "surface/bvh.hpp"
@@ -53,6 +57,32 @@ void measure_distances(const HexMesh& mesh, const Surface& model, HexReport& rep
       std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
 
   report.largest_distance_of_model = largest_distance_to(mesh, model.mesh);
+}
+
+std::vector<Vector3> places_of_faults(const SolveReport::Singularity& graph) {
+  std::vector<Vector3> places;
+  for (const auto& corner : graph.corner_list)
+    if (corner.verdict == Verdict::kNotMeshable) places.push_back(corner.place);
+  for (const auto& node : graph.node_list)
+    if (node.verdict == Verdict::kNotMeshable) places.push_back(node.place);
+  for (const auto& arc : graph.arc_list)
+    if (arc.verdict == Verdict::kNotMeshable) places.push_back(arc.place);
+  return places;
+}
+
+/// Centres of the tets that a map flips, the most inverted first.
+std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<double>& determinants) {
+  std::vector<std::pair<double, std::size_t>> flipped;
+  for (std::size_t t = 0; t < determinants.size(); ++t)
+    if (!(determinants[t] > 0)) flipped.emplace_back(determinants[t], t);
+  std::sort(flipped.begin(), flipped.end());
+  std::vector<Vector3> places;
+  for (const auto& [determinant, t] : flipped) {
+    Vector3 centre{0, 0, 0};
+    for (const std::uint32_t v : solid.mesh.tets[t]) centre += 0.25 * solid.mesh.vertices[v];
+    places.push_back(centre);
+  }
+  return places;
 }
 
 }  // namespace
@@ -111,6 +141,48 @@ void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
   const Surface prepared = prepare_surface(CheckedMesh::derived(std::move(surface)));
   report.model_area = std::accumulate(prepared.areas.begin(), prepared.areas.end(), 0.0);
   if (!mesh.boundary.empty()) measure_distances(mesh, prepared, report);
+}
+
+void explain(const HexCandidate& best, HexReport& report) {
+  if (report.outcome == HexOutcome::kAllHex) return;
+  const HexAttempt& attempt = best.attempt;
+  const std::size_t flips = attempt.flips.value_or(0);
+  if (attempt.faults > 0) {
+    report.places = places_of_faults(best.followed->field().report().onto->singularity);
+    report.reason = fmt::format("no map: no hexahedra can meet at {}",
+                                counted(attempt.faults, "edge or vertex", "edges and vertices"));
+    report.remedy = "tets of another size, or a model without its sharpest corners";
+  } else if (attempt.arcs_without_length > 0) {
+    report.places = best.followed->arcs_without_length();
+    report.reason =
+        fmt::format("no map: {} would have no length, since both ends are on one layer of hexahedra",
+                    counted(attempt.arcs_without_length, "singular arc"));
+    report.remedy = "tets of another size";
+  } else if (flips > 0) {
+    report.places = places_of_flips(best.followed->solid(), best.following->determinants);
+    const bool by_rounding = attempt.is_folded_by_rounding();
+    report.reason = fmt::format("no map: {} inverted{}", counted(flips, "tet stays", "tets stay"),
+                                by_rounding ? " with whole numbers of hexahedra" : "");
+    report.remedy = by_rounding ? "a smaller size of hexahedra" : "tets of another size";
+  } else if (best.following->extracted.left_out > 0) {
+    report.reason =
+        fmt::format("no map: it covers {} more than once, or without a corner",
+                    counted(best.following->extracted.left_out, "cell of the grid", "cells of the grid"));
+    report.remedy = "another size of hexahedra";
+  } else if (report.quality.inverted > 0) {
+    report.places = {report.quality.worst_place};
+    report.reason =
+        fmt::format("{} inverted", counted(report.quality.inverted, "hexahedron is", "hexahedra are"));
+    report.remedy = "a smaller size of hexahedra";
+  } else {
+    report.reason = "the hexahedra do not close up";
+    report.remedy = "another size of hexahedra";
+  }
+  if (report.places.size() > HexReport::kMostPlaces) report.places.resize(HexReport::kMostPlaces);
+  if (report.places.empty()) return;
+  const Vector3& at = report.places.front();
+  report.reason += fmt::format("{} at {:.4g} {:.4g} {:.4g}", report.places.size() > 1 ? ", the first" : ",",
+                               at[0], at[1], at[2]);
 }
 
 }  // namespace crossgrain

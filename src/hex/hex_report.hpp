@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a mesh of hexahedra.
+// The numbers of a mesh of hexahedra, and why it does not fill a model.
 #pragma once
 
 #include "crossgrain/hexahedra.hpp"
+#include "hex/hex_candidate.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {
@@ -15,5 +16,9 @@ double largest_distance_to(const HexMesh& mesh, const TriangleMesh& surface);
 /// Fills in what a mesh says by itself and beside the model: counts, topology, volumes, areas, distances,
 /// scaled Jacobians, valences. The mesh has its boundary.
 void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report);
+
+/// Fills in the reason why a result is not whole, the places and what to try, unless it is. The report has
+/// its outcome and quality.
+void explain(const HexCandidate& best, HexReport& report);
 
 }  // namespace crossgrain

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "map/descent.hpp"
 #include "map/foldover.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
@@ -15,6 +16,9 @@ namespace crossgrain {
 namespace {
 
 using Index = Eigen::Index;
+
+/// Of the change of volume against that of shape.
+constexpr double kVolumeWeight = 0.05;
 
 /// The directions in which each vertex may move.
 class Freedom {
@@ -70,12 +74,8 @@ class Freedom {
 /// The energy of a mesh in sizes of hexahedra.
 class ShapeEnergy {
  public:
-  ShapeEnergy(const HexMesh& mesh, double size, double volume_weight, double power)
-      : mesh_(mesh),
-        scale_(1 / size),
-        volume_weight_(volume_weight),
-        power_(power),
-        terms_(mesh.hexahedra.size()) {
+  ShapeEnergy(const HexMesh& mesh, double size, double power)
+      : mesh_(mesh), scale_(1 / size), power_(power), terms_(mesh.hexahedra.size()) {
     std::vector<std::array<std::uint32_t, 2>> uses;
     for (std::uint32_t h = 0; h < mesh.hexahedra.size(); ++h)
       for (std::uint32_t k = 0; k < 8; ++k) uses.push_back({mesh.hexahedra[h][k], 8 * h + k});
@@ -140,13 +140,13 @@ class ShapeEnergy {
       const double determinant = dot(cofactors[2], c);
       const auto [chi, slope] = regularised(determinant, epsilon);
       const double squares = dot(a, a) + dot(b, b) + dot(c, c), root = std::cbrt(chi * chi);
-      const double volumes = volume_weight_ * (1 + determinant * determinant) / chi;
+      const double volumes = kVolumeWeight * (1 + determinant * determinant) / chi;
       // Relative to a cube of the size, so that no power is out of range for it.
-      const double cube = 3 + 2 * volume_weight_, share = (squares / root + volumes) / cube;
+      const double cube = 3 + 2 * kVolumeWeight, share = (squares / root + volumes) / cube;
       const double raised = std::pow(share, power_ - 1), outer = power_ * raised;
       term.value += cube * share * raised;
       const double by_determinant = -2.0 / 3 * squares / (root * chi) * slope +
-                                    2 * volume_weight_ * determinant / chi - volumes / chi * slope;
+                                    2 * kVolumeWeight * determinant / chi - volumes / chi * slope;
       const std::array<Vector3, 3> own{a, b, c};
       for (std::size_t n = 0; n < 3; ++n) {
         const Vector3 by_edge = outer * ((2 / root) * own[n] + by_determinant * cofactors[n]);
@@ -158,7 +158,7 @@ class ShapeEnergy {
   }
 
   const HexMesh& mesh_;
-  double scale_, volume_weight_, power_;
+  double scale_, power_;
   ListTable uses_;  ///< 8 times the hexahedron, and the corner
   std::vector<Term> terms_;
 };
@@ -169,7 +169,9 @@ struct Score {
   double shape = 0;
 };
 
-Score score_of(const HexMesh& mesh, const HexSmoothingOptions& options) {
+/// The shape is the least scaled Jacobian, as far as it is below 0.5, and half of the mean.
+Score score_of(const HexMesh& mesh) {
+  constexpr double kGoodEnough = 0.5, kMeanWeight = 0.5;
   const std::vector<double> quality = scaled_jacobians(mesh);
   Score score;
   double least = 1, sum = 0;
@@ -178,8 +180,7 @@ Score score_of(const HexMesh& mesh, const HexSmoothingOptions& options) {
     sum += q;
     score.good += !is_inverted(q);
   }
-  score.shape =
-      std::min(least, options.good_enough) + options.mean_weight * sum / static_cast<double>(quality.size());
+  score.shape = std::min(least, kGoodEnough) + kMeanWeight * sum / static_cast<double>(quality.size());
   return score;
 }
 
@@ -203,7 +204,7 @@ class Smoothing {
         feet_(feet),
         size_(size),
         options_(options),
-        best_score_(score_of(best, options)) {}
+        best_score_(score_of(best)) {}
 
   HexMesh best;
 
@@ -235,15 +236,14 @@ Vector3 Smoothing::held(std::size_t vertex, const Vector3& point, bool is_loose)
 
 void Smoothing::run(double power, const std::vector<bool>& loose) {
   HexMesh mesh = best;
-  ShapeEnergy energy(mesh, size_, options_.volume_weight, power);
-  const double least = energy.least_determinant();
-  constexpr double kShare = 0.2, kWithoutFlips = 0.01;
-  double epsilon =
-      std::min(options_.largest_epsilon, least < 0 ? std::max(1e-6, kShare * -least) : kWithoutFlips);
+  ShapeEnergy energy(mesh, size_, power);
+  constexpr double kLeastGain = 1e-3;  // of the score, below which a round is in vain
+  constexpr int kRoundsInVain = 6;
+  double epsilon = first_epsilon(energy.least_determinant());
   std::vector<Foot> feet;
   for (std::size_t v = 0; v < feet_.size(); ++v) feet.push_back(foot(v, loose));
   int in_vain = 0;
-  for (int round = 0; round < options_.rounds && in_vain < options_.rounds_in_vain; ++round) {
+  for (int round = 0; round < options_.rounds && in_vain < kRoundsInVain; ++round) {
     const Freedom freedom(mesh, surface_, feet);
     const Descent descent =
         minimised([&](const Eigen::VectorXd& x,
@@ -252,14 +252,13 @@ void Smoothing::run(double power, const std::vector<bool>& loose) {
                   [&](const Eigen::VectorXd& gradient) -> Eigen::VectorXd {
                     return 0.25 * static_cast<double>(mesh.hexahedra.size()) * gradient;
                   },
-                  Eigen::VectorXd::Zero(freedom.size()), options_.descent);
+                  Eigen::VectorXd::Zero(freedom.size()), {.steps = 20});
     parallel_for(mesh.vertices.size(), [&](std::size_t v) {
       mesh.vertices[v] = held(v, mesh.vertices[v] + size_ * freedom.move_of(v, descent.x), loose[v]);
     });
-    const Score score = score_of(mesh, options_);
-    const bool is_gain =
-        score.good > best_score_.good ||
-        (score.good == best_score_.good && score.shape > best_score_.shape + options_.least_gain);
+    const Score score = score_of(mesh);
+    const bool is_gain = score.good > best_score_.good ||
+                         (score.good == best_score_.good && score.shape > best_score_.shape + kLeastGain);
     in_vain = is_gain ? 0 : in_vain + 1;
     if (is_gain) best_score_ = score, best = mesh;
     epsilon = next_epsilon(energy.least_determinant(), epsilon, descent.first_value, descent.value);

@@ -3,7 +3,6 @@
 // and bench only.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "repair/repair_tuning.hpp"
@@ -19,24 +18,13 @@ struct HexTuning {
   /// Attempts end once their work is more (AttemptQueue) and there is a mesh.
   double most_work = 600e6;
 
-  /// The share of `most_work` that each try of a repair may take for random changes.
-  double repair_share = 0.04;
-
-  /// Faults wander (RepairTuning::wanderings) in tries with no more than so many, if none has a map.
-  std::size_t wandering_faults = 6;
-
-  /// Where the best map is without flips, but whole numbers of hexahedra of this size fold it: smaller sizes
-  /// that are tried, each this share of the last.
+  /// Smaller sizes that are tried where the best map is without flips, but whole numbers of hexahedra fold
+  /// it.
   int smaller_sizes = 3;
-  double smaller_share = 0.7;
 
   /// Hexahedra that close up do not fill the model if its surface is farther from theirs, in sizes of
   /// hexahedra: something is cut off, or filled up, that a finer mesh would show.
   double largest_gap = 1.5;
-
-  /// Attempts go on after a mesh with fewer hexahedra than this share of what would fill the model: the map
-  /// has collapsed, and they are far larger than asked for.
-  double least_share = 0.2;
 
   /// Attempts go on after a mesh whose worst scaled Jacobian is less.
   double least_quality = 0.05;

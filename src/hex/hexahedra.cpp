@@ -9,14 +9,11 @@
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "hex/attempt_kinds.hpp"
+#include "hex/field_mapping.hpp"
 #include "hex/hex_making.hpp"
 #include "hex/hex_map.hpp"
-#include "hex/hex_reasons.hpp"
 #include "hex/hex_report.hpp"
-#include "hex/mapped_field.hpp"
-#include "hex/part_of_model.hpp"
-#include "hex/repaired_fields.hpp"
-#include "hex/smaller_hexahedra.hpp"
 #include "solve/tet_domain_data.hpp"
 
 namespace crossgrain {
@@ -40,8 +37,6 @@ void add_tags(const TetSolid& solid, const MapSurface& surface, const std::vecto
   }
 }
 
-}  // namespace
-
 void check_options(const HexOptions& options) {
   const auto demand = [](bool holds, const char* what) {
     if (!holds) throw Error(ErrorKind::kUsage, {"", "hexahedra", what});
@@ -51,23 +46,12 @@ void check_options(const HexOptions& options) {
          "there must be a positive number of them along the longest side");
 }
 
-StartingField starting_field(TetFrameField field, const HexOptions& options) {
-  const double longest = longest_side(field.domain().data().box);
-  return {std::move(field), options.size > 0 ? options.size : longest / options.cells};
-}
-
-void add_kinds_on_fields(const HexOptions& options, const HexTuning& tuning, AttemptQueue& queue) {
-  queue.add(std::make_unique<RepairedFields>(tuning));
-  queue.add(std::make_unique<PartOfModel>(tuning));
-  queue.add(std::make_unique<SmallerHexahedra>(options, tuning));
-}
-
+/// Returns the best of a queue that has a mesh, with the report of all attempts.
 Hexahedra best_hexahedra(const AttemptQueue& queue) {
   Stopwatch stopwatch;
-  stopwatch.start();
   const HexCandidate& best = *queue.best();
-  const TetFrameField& field = best.mappable->field;
-  const FollowedField& followed = best.mappable->followed;
+  const FollowedField& followed = *best.followed;
+  const TetFrameField& field = followed.field();
   const ExtractedHexahedra& extracted = best.following->extracted;
   HexReport report;
   report.size = best.asked_size;
@@ -96,21 +80,33 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   return {std::move(mesh), field.with_report(std::move(whole)), std::move(map)};
 }
 
-Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const HexTuning& tuning,
-                    const Monitor& monitor) {
+}  // namespace
+
+StartingField starting_field(TetFrameField field, const HexOptions& options) {
+  const double longest = longest_side(field.domain().data().box);
+  return {std::move(field), options.size > 0 ? options.size : longest / options.cells};
+}
+
+Hexahedra best_of_attempts(const std::function<void(AttemptQueue&)>& begin, const HexOptions& options,
+                           const HexTuning& tuning, const Monitor& monitor) {
   check_options(options);
-  check_repairable(field.domain());
-  const ThreadLimit limit(options.threads);
   AttemptQueue queue(tuning.most_work, tuning.least_quality, monitor);
-  const WatchedLoops watched(queue.monitor(), Stops::kHeeded);
-  add_kinds_on_fields(options, tuning, queue);
-  queue.start_on(starting_field(field, options));
-  queue.run();
+  queue.add(repaired_fields(tuning));
+  queue.add(part_of_model(tuning));
+  queue.add(smaller_hexahedra(options, tuning));
+  begin(queue);
+  {
+    const WatchedLoops watched(queue.monitor(), Stops::kHeeded);
+    queue.run();
+  }
   return best_hexahedra(queue);
 }
 
 Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const Monitor& monitor) {
-  return hexahedra(field, options, HexTuning(), monitor);
+  check_repairable(field.domain());
+  const ThreadLimit limit(options.threads);
+  const auto begin = [&](AttemptQueue& queue) { queue.start_on(starting_field(field, options)); };
+  return best_of_attempts(begin, options, HexTuning(), monitor);
 }
 
 }  // namespace crossgrain

@@ -1,23 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hex/part_of_model.hpp"
-
+#include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
 
 namespace crossgrain {
+namespace {
 
-std::optional<Turn> PartOfModel::next(const AttemptQueue& queue) const {
-  const auto& best = queue.best_of_rounds();
-  if (rounds_ == queue.rounds() || best.size() < queue.rounds() || !best.back() || best.back()->made)
-    return std::nullopt;
-  return Turn{queue.rounds() - 1, Turn::Step::kPart};
-}
+class PartOfModel : public AttemptKind {
+ public:
+  explicit PartOfModel(const HexTuning& tuning) : tuning_(tuning) {}
 
-std::vector<HexCandidate> PartOfModel::make(AttemptQueue& queue) {
-  rounds_ = queue.rounds();
-  HexCandidate base = *queue.best_of_rounds().back();
-  base.attempt.work = 0;
-  base.seconds = {};
-  return {mapped_candidate(base, base.asked_size, tuning_, little_effort())};
+  const char* name() const override { return "part of the model"; }
+  bool is_last_resort() const override { return true; }
+
+  std::optional<Turn> next(const AttemptQueue& queue) const override {
+    const auto& best = queue.best_of_rounds();
+    if (rounds_ == queue.rounds() || best.size() < queue.rounds() || !best.back() || best.back()->made)
+      return std::nullopt;
+    return Turn{queue.rounds() - 1, Turn::Step::kPart};
+  }
+
+  std::vector<HexCandidate> make(AttemptQueue& queue) override {
+    rounds_ = queue.rounds();
+    const HexCandidate& base = *queue.best_of_rounds().back();
+    return {mapped_candidate(base, base.asked_size, tuning_, MappingEffort::kLittle)};
+  }
+
+ private:
+  const HexTuning& tuning_;
+  std::size_t rounds_ = 0;  ///< that have their part, or need none
+};
+
+}  // namespace
+
+std::unique_ptr<AttemptKind> part_of_model(const HexTuning& tuning) {
+  return std::make_unique<PartOfModel>(tuning);
 }
 
 }  // namespace crossgrain

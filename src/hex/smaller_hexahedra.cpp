@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hex/smaller_hexahedra.hpp"
-
 #include <cmath>
 
+#include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/hex_making.hpp"
-#include "hex/mapped_field.hpp"
 
 namespace crossgrain {
 namespace {
@@ -13,51 +11,70 @@ namespace {
 /// So many more rounds come before smaller hexahedra.
 constexpr std::size_t kRoundsBefore = 1;
 
+/// Each size is this share of the last.
+constexpr double kSmallerShare = 0.7;
+
 bool may_go_on(const HexCandidate& candidate, double least_quality) {
   return candidate.made && candidate.attempt.is_folded_by_rounding() && !is_good(candidate, least_quality);
 }
 
+class SmallerHexahedra : public AttemptKind {
+ public:
+  SmallerHexahedra(const HexOptions& options, const HexTuning& tuning) : options_(options), tuning_(tuning) {}
+
+  const char* name() const override { return "smaller hexahedra"; }
+
+  std::optional<Turn> next(const AttemptQueue& queue) const override {
+    if (tuning_.smaller_sizes == 0) return std::nullopt;
+    if (best_) return turn_;
+    const std::size_t round = next_round(queue);
+    if (round >= queue.best_of_rounds().size()) return std::nullopt;
+    return Turn{round + kRoundsBefore, Turn::Step::kSmaller};
+  }
+
+  std::vector<HexCandidate> make(AttemptQueue& queue) override {
+    if (!best_) {
+      turn_ = next(queue);
+      rounds_ = next_round(queue);
+      best_ = *queue.best_of_rounds()[rounds_];
+      // Vertices of the repaired tets have moved, those of the box by rounding too.
+      size_ = starting_field(best_->followed->field(), options_).size;
+      sizes_ = 0;
+    }
+    queue.monitor().report({Phase::kHexahedra, 0, best_->followed->solid().mesh.vertices.size(), 0, NAN});
+    size_ *= kSmallerShare;
+    const bool is_last = ++sizes_ == tuning_.smaller_sizes;
+    HexCandidate candidate = mapped_candidate(*best_, size_, tuning_);
+    if (is_better_in_round(candidate, *best_, queue.least_quality())) best_ = candidate;
+    if (is_last || !may_go_on(*best_, queue.least_quality())) {
+      best_.reset();
+      ++rounds_;
+    }
+    return {std::move(candidate)};
+  }
+
+ private:
+  /// The first round with something to go on with.
+  std::size_t next_round(const AttemptQueue& queue) const {
+    const auto& best = queue.best_of_rounds();
+    std::size_t round = rounds_;
+    while (round < best.size() && !(best[round] && may_go_on(*best[round], queue.least_quality()))) ++round;
+    return round;
+  }
+
+  const HexOptions options_;
+  const HexTuning& tuning_;
+  std::size_t rounds_ = 0;            ///< that were gone on with, or need not be
+  std::optional<Turn> turn_;          ///< of the round that is gone on with
+  std::optional<HexCandidate> best_;  ///< of that round
+  double size_ = 0;                   ///< the last one tried in that round
+  int sizes_ = 0;                     ///< that were tried there
+};
+
 }  // namespace
 
-/// The first round with something to go on with.
-std::size_t SmallerHexahedra::next_round(const AttemptQueue& queue) const {
-  const auto& best = queue.best_of_rounds();
-  std::size_t round = rounds_;
-  while (round < best.size() && !(best[round] && may_go_on(*best[round], queue.least_quality()))) ++round;
-  return round;
-}
-
-std::optional<Turn> SmallerHexahedra::next(const AttemptQueue& queue) const {
-  if (tuning_.smaller_sizes == 0) return std::nullopt;
-  if (best_) return turn_;
-  const std::size_t round = next_round(queue);
-  if (round >= queue.best_of_rounds().size()) return std::nullopt;
-  return Turn{round + kRoundsBefore, Turn::Step::kSmaller};
-}
-
-std::vector<HexCandidate> SmallerHexahedra::make(AttemptQueue& queue) {
-  if (!best_) {
-    turn_ = next(queue);
-    rounds_ = next_round(queue);
-    best_ = *queue.best_of_rounds()[rounds_];
-    // Vertices of the repaired tets have moved, those of the box by rounding too.
-    size_ = starting_field(best_->mappable->field, options_).size;
-    sizes_ = 0;
-  }
-  queue.monitor().report(
-      {Phase::kHexahedra, 0, best_->mappable->followed.solid().mesh.vertices.size(), 0, NAN});
-  HexCandidate base = *best_;
-  base.attempt.work = 0;
-  base.seconds = {};
-  size_ *= tuning_.smaller_share;
-  const bool is_last = ++sizes_ == tuning_.smaller_sizes;
-  HexCandidate candidate = mapped_candidate(base, size_, tuning_);
-  if (is_better_in_round(candidate, *best_, queue.least_quality())) best_ = candidate;
-  if (is_last || !may_go_on(*best_, queue.least_quality())) {
-    best_.reset();
-    ++rounds_;
-  }
-  return {std::move(candidate)};
+std::unique_ptr<AttemptKind> smaller_hexahedra(const HexOptions& options, const HexTuning& tuning) {
+  return std::make_unique<SmallerHexahedra>(options, tuning);
 }
 
 }  // namespace crossgrain

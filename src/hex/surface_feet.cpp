@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/ascending.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/vector3.hpp"
 
@@ -12,18 +13,6 @@ namespace crossgrain {
 namespace {
 
 constexpr std::uint32_t kNoNumber = UINT32_MAX;
-
-/// Numbers of the sets from 0 on, by their first members.
-std::vector<std::uint32_t> numbered(DisjointSets& sets, std::uint32_t size, std::uint32_t& count) {
-  std::vector<std::uint32_t> numbers(size, kNoNumber), of_root(size, kNoNumber);
-  count = 0;
-  for (std::uint32_t k = 0; k < size; ++k) {
-    std::uint32_t& number = of_root[sets.root(k)];
-    if (number == kNoNumber) number = count++;
-    numbers[k] = number;
-  }
-  return numbers;
-}
 
 }  // namespace
 
@@ -53,10 +42,15 @@ void MapSurface::find_faces() {
     const TetComplex::Edge& edge = complex.edges()[e];
     if (edge.is_on_boundary() && !is_bent(e)) sets.join(edge.boundary_faces[0], edge.boundary_faces[1]);
   }
-  std::uint32_t faces = 0;
-  face_of_ = numbered(sets, count, faces);
-  std::vector<TriangleMesh> meshes(faces);
+  face_of_.resize(count);
+  std::vector<TriangleMesh> meshes;
   for (std::uint32_t f = 0; f < count; ++f) {
+    const std::uint32_t root = sets.root(f);  // comes before the others
+    if (root == f) {
+      face_of_[f] = static_cast<std::uint32_t>(meshes.size());
+      meshes.emplace_back();
+    }
+    face_of_[f] = face_of_[root];
     TriangleMesh& mesh = meshes[face_of_[f]];
     mesh.triangles.push_back(solid.boundary[f]);
     mesh.faces.push_back(static_cast<std::int32_t>(f));
@@ -65,8 +59,7 @@ void MapSurface::find_faces() {
     // With vertices of its own: a face is small beside the whole.
     std::vector<std::uint32_t> used;
     for (const auto& triangle : mesh.triangles) used.insert(used.end(), triangle.begin(), triangle.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    sort_uniquely(used);
     for (auto& triangle : mesh.triangles)
       for (std::uint32_t& v : triangle)
         v = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
@@ -89,16 +82,15 @@ void MapSurface::find_curves() {
     const std::vector<std::uint32_t> bent = bent_edges_at(v);
     if (bent.size() == 2 && !field_->is_map_corner(v)) sets.join(bent[0], bent[1]);
   }
-  std::vector<std::uint32_t> of_root(count, kNoNumber);
   for (std::uint32_t e = 0; e < count; ++e) {
     if (curve_of_[e] == kNoNumber) continue;
-    std::uint32_t& number = of_root[sets.root(e)];
-    if (number == kNoNumber) {
-      number = static_cast<std::uint32_t>(curves_.size());
+    const std::uint32_t root = sets.root(e);
+    if (root == e) {
+      curve_of_[e] = static_cast<std::uint32_t>(curves_.size());
       curves_.emplace_back();
     }
-    curve_of_[e] = number;
-    curves_[number].push_back(complex.edges()[e].ends);
+    curve_of_[e] = curve_of_[root];
+    curves_[curve_of_[e]].push_back(complex.edges()[e].ends);
   }
 }
 

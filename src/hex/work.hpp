@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work of attempts, in costs of edges and vertices that a repair finds (MatchingRepair::work).
+// The work of attempts. Its unit is one cost of an edge or vertex that a repair finds: repairs count these
+// (MatchingRepair::work), and all else is counted by its size, in the units that take about as long.
+// bench/hex_work.py tells how many seconds they stand for; docs/notes/hexahedra.md has its table.
 #pragma once
 
 namespace crossgrain {
-
-// bench/hex_work.py tells how many seconds they stand for; docs/notes/hexahedra.md has its table.
 
 /// Of making a tet and solving on it.
 inline constexpr double kTetWork = 500;

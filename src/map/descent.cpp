@@ -12,11 +12,13 @@
 namespace crossgrain {
 namespace {
 
+constexpr std::size_t kHistory = 12;  ///< pairs of steps that are remembered
+constexpr double kFirstStep = 0.1;    ///< largest change of an unknown
+
 /// The directions of L-BFGS.
 class Memory {
  public:
-  Memory(const Preconditioner& preconditioner, std::size_t history)
-      : preconditioner_(preconditioner), history_(history) {}
+  explicit Memory(const Preconditioner& preconditioner) : preconditioner_(preconditioner) {}
 
   void forget() { pairs_.clear(); }
   bool is_empty() const { return pairs_.empty(); }
@@ -26,7 +28,7 @@ class Memory {
     const double product = step.dot(change);
     if (product <= kCurved * step.norm() * change.norm()) return;
     pairs_.push_back({std::move(step), std::move(change), 1 / product});
-    if (pairs_.size() > history_) pairs_.pop_front();
+    if (pairs_.size() > kHistory) pairs_.pop_front();
     const Pair& last = pairs_.back();
     scale_ = 1 / (last.inverse * last.change.dot(preconditioner_(last.change)));
   }
@@ -51,7 +53,6 @@ class Memory {
     double inverse;
   };
   const Preconditioner& preconditioner_;
-  std::size_t history_;
   double scale_ = 1;
   std::deque<Pair> pairs_;
 };
@@ -95,7 +96,7 @@ Descent minimised(const DifferentiableFunction& function, const Preconditioner& 
   point.value = function(point.x, point.gradient);
   Descent result;
   result.first_value = point.value;
-  Memory memory(preconditioner, options.history);
+  Memory memory(preconditioner);
   while (result.steps < options.steps && point.x.size() > 0) {
     check_watched();
     ++result.steps;
@@ -105,7 +106,7 @@ Descent minimised(const DifferentiableFunction& function, const Preconditioner& 
       direction = -preconditioner(point.gradient);
     }
     const double first =
-        memory.is_empty() ? std::min(1.0, options.first_step / direction.cwiseAbs().maxCoeff()) : 1.0;
+        memory.is_empty() ? std::min(1.0, kFirstStep / direction.cwiseAbs().maxCoeff()) : 1.0;
     const Point before = point;
     if (!search_line(function, direction, first, point)) break;
     memory.remember(point.x - before.x, point.gradient - before.gradient);

@@ -11,8 +11,6 @@ namespace crossgrain {
 struct DescentOptions {
   int steps = 60;
   double least_gain = 1e-5;  ///< of a step, relative to the value, with which the descent goes on
-  std::size_t history = 12;  ///< pairs of steps that are remembered
-  double first_step = 0.1;   ///< largest change of an unknown
 };
 
 struct Descent {

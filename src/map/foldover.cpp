@@ -15,6 +15,11 @@ Regularised regularised(double determinant, double epsilon) {
   return {std::max(chi, kLeast), std::max(chi, kLeast) / root};
 }
 
+double first_epsilon(double least) {
+  constexpr double kLargest = 0.1, kShare = 0.2, kLeast = 1e-6, kWithoutFlips = 0.01;
+  return std::min(kLargest, least < 0 ? std::max(kLeast, kShare * -least) : kWithoutFlips);
+}
+
 double next_epsilon(double least, double epsilon, double before, double after) {
   constexpr double kLeastDecrease = 0.1, kLeastEpsilon = 1e-10;
   const double share = std::max(1 - after / before, kLeastDecrease);

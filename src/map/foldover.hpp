@@ -12,6 +12,10 @@ struct Regularised {
 };
 Regularised regularised(double determinant, double epsilon);
 
+/// The epsilon of the first round, of a map with this least determinant. Larger ones, with integers free, let
+/// maps collapse.
+double first_epsilon(double least);
+
 /// The epsilon of the next round (there, section 2.3), after a round that took the energy from `before` to
 /// `after` and left `least` as the least determinant.
 double next_epsilon(double least, double epsilon, double before, double after);

@@ -11,29 +11,27 @@ IntegerGridMap integer_grid_map(const MapEnergy& energy, const GridMapOptions& o
   const PoissonMap poisson(energy);
   IntegerGridMap map;
   map.integers = poisson.integers().size();
-  map.columns = poisson.columns_for(poisson.relaxed());
-  map.seamless = flips_of(energy, energy.basis() * map.columns);
+  Eigen::VectorXd columns = poisson.columns_for(poisson.relaxed());
+  map.seamless = flips_of(energy, energy.basis() * columns);
   // Integers stay in the first pass: free ones let a tangled map collapse.
-  map.columns = untangled(poisson, std::move(map.columns), IntegerColumns::kHeld, options.untangling).columns;
-  Untangled seamless = untangled(poisson, std::move(map.columns), IntegerColumns::kFree, options.untangling);
+  columns = untangled(poisson, std::move(columns), IntegerColumns::kHeld, options.untangling).columns;
+  Untangled seamless = untangled(poisson, std::move(columns), IntegerColumns::kFree, options.untangling);
   map.untangled = seamless.flips;
   map.seamless_coordinates = energy.basis() * seamless.columns;
 
   const Separations separations =
       separations_of(energy.unknowns(), seamless.columns, map.seamless_coordinates);
-  map.separations = separations.size();
   Eigen::VectorXd relaxed(static_cast<Eigen::Index>(poisson.integers().size()));
   for (std::size_t k = 0; k < poisson.integers().size(); ++k)
     relaxed[static_cast<Eigen::Index>(k)] = seamless.columns[poisson.integers()[k]];
-  const Quantised rounded = quantised(poisson, relaxed, separations, options.quantisation);
+  const Quantised rounded = quantised(poisson, relaxed, separations, options.breakouts);
   map.missing = rounded.missing;
 
-  map.columns = poisson.moved(seamless.columns, rounded.integers);
-  map.rounded = flips_of(energy, energy.basis() * map.columns);
-  Untangled last = untangled(poisson, std::move(map.columns), IntegerColumns::kHeld, options.untangling);
-  map.columns = std::move(last.columns);
+  columns = poisson.moved(seamless.columns, rounded.integers);
+  map.rounded = flips_of(energy, energy.basis() * columns);
+  Untangled last = untangled(poisson, std::move(columns), IntegerColumns::kHeld, options.untangling);
   map.flips = last.flips;
-  map.coordinates = energy.basis() * map.columns;
+  map.coordinates = energy.basis() * last.columns;
   return map;
 }
 

@@ -13,20 +13,19 @@ namespace crossgrain {
 
 struct GridMapOptions {
   UntanglingOptions untangling;
-  QuantisationOptions quantisation;
+  int breakouts = 200;  ///< of `quantised`
 };
 
 /// A map, linear in each tet, that takes faces of the surface to integer planes and singular edges to integer
 /// lines, with integer translations where tets are glued: without flips the cubes of the grid, pulled back,
 /// are hexahedra that fill the solid.
 struct IntegerGridMap {
-  Eigen::VectorXd columns;
   MapCoordinates coordinates;           ///< at the copies of vertices (CutSolid)
   MapCoordinates seamless_coordinates;  ///< the same before rounding, untangled
 
   MapFlips seamless, untangled;  ///< before rounding: of the least energy, and after untangling
   MapFlips rounded, flips;       ///< after rounding, and in the end
-  std::size_t integers = 0, separations = 0;
+  std::size_t integers = 0;
   double missing = 0;  ///< Quantised::missing
 };
 

@@ -17,11 +17,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-double value_of(const LinearForm& form, const Eigen::VectorXd& columns) {
-  double sum = 0;
-  for (const auto& [column, factor] : form.terms) sum += static_cast<double>(factor) * columns[column];
-  return sum;
-}
+/// Largest distances across and along lines that are near each other, in hexahedra of the map.
+constexpr double kReach = 1.5, kBeside = 0.25;
 
 /// Whether a map takes an edge to a line of the grid.
 bool is_line(const CutSolid& cut, std::uint32_t edge) {
@@ -63,14 +60,7 @@ struct Names {
     return result;
   }
 
-  Eigen::Vector3d of(const Eigen::Vector3d& point) const {
-    Eigen::Vector3d result = shift;
-    for (SignedAxis k = 0; k < 3; ++k) {
-      const SignedAxis image = CubeGroup::instance().image(rotation, k);
-      result[image % 3] += (image < 3 ? 1 : -1) * point[k];
-    }
-    return result;
-  }
+  Eigen::Vector3d of(const Eigen::Vector3d& point) const { return shift + turned(rotation, point); }
 };
 
 struct Segment {
@@ -91,14 +81,12 @@ struct Segment {
 /// Walks from a line through the tets near it.
 class Surroundings {
  public:
-  Surroundings(const MapUnknowns& unknowns, const Eigen::VectorXd& columns, const MapCoordinates& map,
-               const SeparationOptions& options)
+  Surroundings(const MapUnknowns& unknowns, const Eigen::VectorXd& columns, const MapCoordinates& map)
       : unknowns_(unknowns),
         cut_(unknowns.cut()),
         complex_(cut_.field().complex()),
         columns_(columns),
         map_(map),
-        options_(options),
         crossings_(crossings_of(complex_.solid())) {
     std::vector<std::array<std::uint32_t, 2>> pairs;
     for (const std::uint32_t e : lines_of(cut_)) {
@@ -158,8 +146,7 @@ class Surroundings {
       high = k == 0 ? corner : high.cwiseMax(corner).eval();
     }
     const Segment box{{low, high}};
-    return own.gap(box, 0) < options_.reach && own.gap(box, 1) < options_.reach &&
-           own.gap(box, 2) < options_.reach;
+    return own.gap(box, 0) < kReach && own.gap(box, 1) < kReach && own.gap(box, 2) < kReach;
   }
 
   /// From v' = R v + T along a sheet, v = R^-1 (v' - T).
@@ -179,9 +166,7 @@ class Surroundings {
     beyond.rotation = group.product(names.rotation, group.inverse_of(cut_.rotation(sheet)));
     const MapPoint back = turned(beyond.rotation, translation);
     for (std::size_t k = 0; k < 3; ++k) beyond.translation[k] = added(names.translation[k], back[k], -1);
-    Names only_turned;
-    only_turned.rotation = beyond.rotation;
-    beyond.shift = names.shift - only_turned.of(shift);
+    beyond.shift = names.shift - turned(beyond.rotation, shift);
     return beyond;
   }
 
@@ -192,7 +177,7 @@ class Surroundings {
         CubeGroup::instance().image(names.rotation, static_cast<SignedAxis>(axes_.at(other))) % 3;
     // Along either line they must be beside each other; how far they are apart across both is what counts.
     for (std::size_t k = 0; k < 3; ++k)
-      if (own.gap(its, k) >= (k == own_axis || k == its_axis ? options_.beside : options_.reach)) return;
+      if (own.gap(its, k) >= (k == own_axis || k == its_axis ? kBeside : kReach)) return;
     const MapPoint& from =
         unknowns_.point(cut_.copy_at(complex_.edges()[edge].first_tet, complex_.edges()[edge].ends[0]));
     const MapPoint to = names.of(unknowns_.point(cut_.copy_at(tet, complex_.edges()[other].ends[0])));
@@ -205,7 +190,7 @@ class Surroundings {
       const double distance = value_of(form, columns_);
       if (std::abs(distance) <= most) continue;
       most = std::abs(distance);
-      farthest = distance > 0 ? std::move(form) : multiplied(form, -1);
+      farthest = distance > 0 ? std::move(form) : -form;
     }
     constexpr double kApart = 1e-6;
     if (farthest && most > kApart) gaps.push_back(std::move(*farthest));
@@ -216,7 +201,6 @@ class Surroundings {
   const TetComplex& complex_;
   const Eigen::VectorXd& columns_;
   const MapCoordinates& map_;
-  SeparationOptions options_;
   std::vector<std::array<Crossing, 4>> crossings_;
   ListTable lines_;  ///< at the first tet of each
   std::map<std::uint32_t, std::size_t> axes_;
@@ -233,6 +217,12 @@ bool goes_on(const CutSolid& cut, std::uint32_t vertex, const std::vector<std::u
 }
 
 }  // namespace
+
+double value_of(const LinearForm& form, const Eigen::VectorXd& columns) {
+  double sum = 0;
+  for (const auto& [column, factor] : form.terms) sum += static_cast<double>(factor) * columns[column];
+  return sum;
+}
 
 Separations line_lengths(const MapUnknowns& unknowns, const Eigen::VectorXd& columns) {
   const CutSolid& cut = unknowns.cut();
@@ -264,9 +254,9 @@ Separations line_lengths(const MapUnknowns& unknowns, const Eigen::VectorXd& col
   return result;
 }
 
-Separations line_gaps(const MapUnknowns& unknowns, const Eigen::VectorXd& columns, const MapCoordinates& map,
-                      const SeparationOptions& options) {
-  const Surroundings surroundings(unknowns, columns, map, options);
+Separations line_gaps(const MapUnknowns& unknowns, const Eigen::VectorXd& columns,
+                      const MapCoordinates& map) {
+  const Surroundings surroundings(unknowns, columns, map);
   const std::vector<std::uint32_t> lines = lines_of(unknowns.cut());
   std::vector<Separations> of_line(lines.size());
   parallel_for(

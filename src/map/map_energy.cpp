@@ -101,14 +101,15 @@ std::vector<double> determinants_of(const MapEnergy& energy, const MapCoordinate
   return determinants;
 }
 
-MapFlips flips_of(const MapEnergy& energy, const MapCoordinates& map, double least) {
+MapFlips flips_of(const MapEnergy& energy, const MapCoordinates& map) {
+  constexpr double kFlat = 1e-9;
   const std::vector<double> determinants = determinants_of(energy, map);
   const std::size_t count = determinants.size();
   MapFlips flips;
   double all = 0;
   for (std::size_t t = 0; t < count; ++t) {
     all += energy.volume(t);
-    if (determinants[t] > least) continue;
+    if (determinants[t] > kFlat) continue;
     ++flips.tets;
     flips.share_of_volume += energy.volume(t);
   }

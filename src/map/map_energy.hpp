@@ -59,7 +59,7 @@ struct MapFlips {
 /// The determinants of the Jacobians of all tets.
 std::vector<double> determinants_of(const MapEnergy& energy, const MapCoordinates& map);
 
-/// Counts tets with determinants of at most `least`.
-MapFlips flips_of(const MapEnergy& energy, const MapCoordinates& map, double least = 1e-9);
+/// Counts tets with determinants of at most 1e-9.
+MapFlips flips_of(const MapEnergy& energy, const MapCoordinates& map);
 
 }  // namespace crossgrain

@@ -51,14 +51,18 @@ struct Change {
   double by;
 };
 
+/// What a separation costs for each unit by which it falls short of 1, relative to the largest entry of the
+/// Schur complement's diagonal.
+constexpr double kPenalty = 10;
+
 /// Integers with their cost, and what changes of them would do.
 class IntegerSearch {
  public:
   IntegerSearch(const PoissonMap& poisson, const Eigen::VectorXd& relaxed, const Separations& separations,
-                double penalty, Eigen::VectorXd integers)
+                Eigen::VectorXd integers)
       : schur_(poisson.schur()), relaxed_(relaxed), integers_(std::move(integers)) {
     penalties_.assign(separations.size(),
-                      penalty * std::max(1.0, schur_.size() > 0 ? schur_.diagonal().maxCoeff() : 0));
+                      kPenalty * std::max(1.0, schur_.size() > 0 ? schur_.diagonal().maxCoeff() : 0));
     std::vector<Index> place(poisson.energy().unknowns().columns(), -1);
     for (std::size_t k = 0; k < poisson.integers().size(); ++k)
       place[poisson.integers()[k]] = static_cast<Index>(k);
@@ -156,18 +160,20 @@ bool change_singles(IntegerSearch& search, const std::vector<Index>& integers) {
 }
 
 /// Changes until none lowers the cost.
-void settle(IntegerSearch& search, const std::vector<Index>& free, const QuantisationOptions& options) {
-  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
+void settle(IntegerSearch& search, const std::vector<Index>& free) {
+  constexpr int kSweeps = 50;
+  constexpr std::size_t kMostForPairs = 400;  // integers up to which pairs of changes are tried too
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
     check_watched();
     if (change_singles(search, free)) continue;
-    if (free.size() > options.most_for_pairs || !change_pairs(search, free)) break;
+    if (free.size() > kMostForPairs || !change_pairs(search, free)) break;
   }
 }
 
 /// Leaves local minima in which separations are too short: raises their penalties until they give way
 /// (Morris 1993, "The breakout method").
-void break_out(IntegerSearch& search, const std::vector<Index>& free, const QuantisationOptions& options) {
-  for (int round = 0; round < options.breakouts && search.missing() > 0; ++round) {
+void break_out(IntegerSearch& search, const std::vector<Index>& free, int breakouts) {
+  for (int round = 0; round < breakouts && search.missing() > 0; ++round) {
     check_watched();
     std::vector<Index> pressed = search.press();
     std::erase_if(pressed, [&](Index k) { return !std::binary_search(free.begin(), free.end(), k); });
@@ -184,13 +190,13 @@ void break_out(IntegerSearch& search, const std::vector<Index>& free, const Quan
 }  // namespace
 
 Quantised quantised(const PoissonMap& poisson, const Eigen::VectorXd& relaxed, const Separations& separations,
-                    const QuantisationOptions& options) {
+                    int breakouts) {
   const std::vector<Index> free = poisson.free_integers();
-  IntegerSearch search(poisson, relaxed, separations, options.penalty, rounded_in_turn(poisson, relaxed));
-  settle(search, free, options);
+  IntegerSearch search(poisson, relaxed, separations, rounded_in_turn(poisson, relaxed));
+  settle(search, free);
   if (search.missing() > 0) {
-    break_out(search, free, options);
-    settle(search, free, options);
+    break_out(search, free, breakouts);
+    settle(search, free);
   }
   return {search.integers(), search.cost(), search.missing()};
 }

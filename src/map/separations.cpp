@@ -103,12 +103,6 @@ class RayWalk {
     return multiplied(added(there, ray.start, -1), ray.sign);
   }
 
-  double value(const LinearForm& form) const {
-    double sum = 0;
-    for (const auto& [column, factor] : form.terms) sum += static_cast<double>(factor) * columns_[column];
-    return sum;
-  }
-
   /// u' = R u + T along the direction of a sheet, u' = R^-1 (u - T) against it.
   void cross_sheet(Ray& ray, SheetStep step) const {
     if (step == 0) return;
@@ -116,23 +110,18 @@ class RayWalk {
     const CubeGroup& group = CubeGroup::instance();
     const MapPoint& translation = unknowns_.translation(sheet);
     Eigen::Vector3d shift;
-    for (std::size_t k = 0; k < 3; ++k) shift[static_cast<Index>(k)] = value(translation[k]);
+    for (std::size_t k = 0; k < 3; ++k) shift[static_cast<Index>(k)] = value_of(translation[k], columns_);
     const bool along = step > 0;
     const std::uint8_t rotation = along ? cut_.rotation(sheet) : group.inverse_of(cut_.rotation(sheet));
     if (!along) {
       ray.at -= shift;
       ray.start = added(ray.start, translation[ray.axis], -1);
     }
-    Eigen::Vector3d turned;
-    for (SignedAxis k = 0; k < 3; ++k) {
-      const SignedAxis image = group.image(rotation, k);
-      turned[image % 3] = (image < 3 ? 1 : -1) * ray.at[k];
-    }
-    ray.at = turned;
+    ray.at = turned(rotation, ray.at);
     const SignedAxis image = group.image(rotation, static_cast<SignedAxis>(ray.axis));
     if (image >= 3) {
       ray.sign = -ray.sign;
-      ray.start = multiplied(ray.start, -1);
+      ray.start = -ray.start;
     }
     ray.axis = image % 3;
     if (along) {
@@ -195,7 +184,7 @@ std::vector<Ray> rays_from_arcs(const MapUnknowns& unknowns, const RayWalk& walk
 }  // namespace
 
 Separations separations_of(const MapUnknowns& unknowns, const Eigen::VectorXd& columns,
-                           const MapCoordinates& map, const SeparationOptions& options) {
+                           const MapCoordinates& map) {
   const RayWalk walk(unknowns, columns, map);
   std::vector<Ray> rays = rays_from_surface(unknowns, walk);
   for (Ray& ray : rays_from_arcs(unknowns, walk)) rays.push_back(std::move(ray));
@@ -216,7 +205,7 @@ Separations separations_of(const MapUnknowns& unknowns, const Eigen::VectorXd& c
   for (const std::optional<LinearForm>& distance : distances)
     if (distance) add(*distance);
   for (const LinearForm& length : line_lengths(unknowns, columns)) add(length);
-  for (const LinearForm& gap : line_gaps(unknowns, columns, map, options)) add(gap);
+  for (const LinearForm& gap : line_gaps(unknowns, columns, map)) add(gap);
   return separations;
 }
 

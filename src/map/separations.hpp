@@ -11,22 +11,14 @@ namespace crossgrain {
 /// A distance along an axis of the map that must be at least 1, as a form of integer columns.
 using Separations = std::vector<LinearForm>;
 
-struct SeparationOptions {
-  /// Two lines are near each other if they are less than `reach` hexahedra of the map apart across either,
-  /// and less than `beside` along either.
-  double reach = 1.5;
-  double beside = 0.25;
-};
-
-/// Lengths of and gaps between lines (map/line_separations.hpp), and
-/// distances between lines and planes of the grid that face each other in a map: along rays that leave faces
-/// of the surface and singular edges along the axes across them, and go on straight through the map to a face
-/// of the surface. Rays that meet flipped tets are lost. Each form once, in the order in which they are
-/// found.
+/// Lengths of and gaps between lines (map/line_separations.hpp), and distances between lines and planes of
+/// the grid that face each other in a map: along rays that leave faces of the surface and singular edges
+/// along the axes across them, and go on straight through the map to a face of the surface. Rays that meet
+/// flipped tets are lost. Each form once, in the order in which they are found.
 ///
 /// Bommes, Campen, Ebke, Alliez, Kobbelt 2013 and Lyon, Campen, Bommes, Kobbelt 2019 ("Parametrization
 /// quantization with free boundaries") keep such distances in two dimensions.
 Separations separations_of(const MapUnknowns& unknowns, const Eigen::VectorXd& columns,
-                           const MapCoordinates& map, const SeparationOptions& options = {});
+                           const MapCoordinates& map);
 
 }  // namespace crossgrain

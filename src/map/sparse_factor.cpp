@@ -9,6 +9,17 @@
 namespace crossgrain {
 namespace {
 
+// All for a matrix that is scaled to ones on its diagonal.
+
+/// Of the diagonal in single precision, so that rounding leaves pivots positive.
+constexpr double kDiagonalShift = 1e-6;
+
+/// As conjugate gradients carry it, relative to the right-hand side.
+constexpr double kResidual = 1e-13;
+
+/// Of refinement: for a first solution, and single precision is given up if it needs more; for others.
+constexpr int kFirstSteps = 12, kMostSteps = 100;
+
 [[noreturn]] void refuse() {
   throw Error(ErrorKind::kLimit, "the equations of the map cannot be solved: tets are too flat");
 }
@@ -22,22 +33,20 @@ Eigen::VectorXd sample(Eigen::Index size) {
 
 }  // namespace
 
-SparseFactor::SparseFactor(const Eigen::SparseMatrix<double>& matrix, const SparseFactorOptions& options)
-    : options_(options), scale_(matrix.diagonal()) {
+SparseFactor::SparseFactor(const Eigen::SparseMatrix<double>& matrix) : scale_(matrix.diagonal()) {
   if (scale_.size() == 0) return;
   if (!(scale_.minCoeff() > 0) || !scale_.allFinite()) refuse();
   scale_ = scale_.cwiseSqrt().cwiseInverse().eval();
   scaled_ = scale_.asDiagonal() * matrix * scale_.asDiagonal();
-  nodes_.emplace(scaled_, nested_dissection(scaled_), options.nodes);
+  nodes_.emplace(scaled_, nested_dissection(scaled_));
 
   {
     Eigen::SparseMatrix<double> shifted = scaled_;
-    shifted.diagonal().array() += options.shift;
+    shifted.diagonal().array() += kDiagonalShift;
     single_.emplace(shifted, *nodes_);
   }
   Eigen::VectorXd solution;
-  if (single_->is_positive() && refine(scaled_ * sample(scale_.size()), options.first_steps, solution))
-    return;
+  if (single_->is_positive() && refine(scaled_ * sample(scale_.size()), kFirstSteps, solution)) return;
   single_.reset();
   double_.emplace(scaled_, *nodes_);
   if (!double_->is_positive()) refuse();
@@ -53,7 +62,7 @@ bool SparseFactor::refine(const Eigen::VectorXd& right, int most_steps, Eigen::V
     solution = Eigen::VectorXd::Constant(right.size(), NAN);
     return false;
   }
-  const double enough = options_.residual * right.norm();
+  const double enough = kResidual * right.norm();
   solution = Eigen::VectorXd::Zero(right.size());
   Eigen::VectorXd residual = right, direction = Eigen::VectorXd::Zero(right.size());
   double before = 1;
@@ -74,7 +83,7 @@ bool SparseFactor::refine(const Eigen::VectorXd& right, int most_steps, Eigen::V
 Eigen::VectorXd SparseFactor::solve(const Eigen::VectorXd& right) const {
   if (right.size() == 0) return right;
   Eigen::VectorXd solution;
-  refine(scale_.cwiseProduct(right), options_.most_steps, solution);
+  refine(scale_.cwiseProduct(right), kMostSteps, solution);
   return scale_.cwiseProduct(solution);
 }
 

@@ -11,16 +11,6 @@
 
 namespace crossgrain {
 
-/// For a matrix that is scaled to ones on its diagonal.
-struct SparseFactorOptions {
-  double shift = 1e-6;      ///< of the diagonal in single precision, so that rounding leaves pivots positive
-  double residual = 1e-13;  ///< as conjugate gradients carry it, relative to the right-hand side
-  int first_steps =
-      12;  ///< of refinement for a first solution; if it needs more, single precision is given up
-  int most_steps = 100;  ///< of refinement for others
-  SupernodeOptions nodes;
-};
-
 /// Solves with a symmetric positive definite matrix of a mesh: by its Cholesky factor in single precision,
 /// which takes half the memory and half the time, and conjugate gradients (preconditioned by the factor) in
 /// double precision. Where these do not converge, the factor is in double precision. The same to the bit for
@@ -28,12 +18,12 @@ struct SparseFactorOptions {
 class SparseFactor {
  public:
   /// Takes all entries of both triangles. Throws Error(kLimit) if the matrix is not positive definite.
-  explicit SparseFactor(const Eigen::SparseMatrix<double>& matrix, const SparseFactorOptions& options = {});
+  explicit SparseFactor(const Eigen::SparseMatrix<double>& matrix);
   SparseFactor(const SparseFactor&) = delete;
   SparseFactor& operator=(const SparseFactor&) = delete;
 
-  /// The solution for a right-hand side of as many numbers as rows, with the residual of the options or what
-  /// `most_steps` reach; NaN for one that is not finite. Safe to call from several threads at once, as is
+  /// The solution for a right-hand side of as many numbers as rows, with a residual of 1e-13 or what 100
+  /// steps reach; NaN for one that is not finite. Safe to call from several threads at once, as is
   /// solve_roughly.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
@@ -47,7 +37,6 @@ class SparseFactor {
   Eigen::VectorXd by_factor(const Eigen::VectorXd& right) const;
   bool refine(const Eigen::VectorXd& right, int most_steps, Eigen::VectorXd& solution) const;
 
-  SparseFactorOptions options_;
   Eigen::VectorXd scale_;               ///< of rows and columns
   Eigen::SparseMatrix<double> scaled_;  ///< the matrix with ones on its diagonal
   std::optional<Supernodes> nodes_;

@@ -18,12 +18,18 @@ namespace {
 using Index = Eigen::Index;
 using Sparse = Eigen::SparseMatrix<double>;
 
+/// Of the change of volume against that of shape.
+constexpr double kVolumeWeight = 0.1;
+
+/// The end of rounds if so many do not lower the flips by `kLeastFall` of them.
+constexpr int kRoundsInVain = 4;
+constexpr double kLeastFall = 0.1;
+
 /// The function that is minimised, of the free columns.
 class Distortion {
  public:
-  Distortion(const MapEnergy& energy, const Eigen::VectorXd& columns, const std::vector<std::uint32_t>& free,
-             double volume_weight)
-      : energy_(energy), volume_weight_(volume_weight) {
+  Distortion(const MapEnergy& energy, const Eigen::VectorXd& columns, const std::vector<std::uint32_t>& free)
+      : energy_(energy) {
     const std::size_t tets = energy.unknowns().cut().copies_of_tets().size();
     for (std::size_t t = 0; t < tets; ++t) all_ += energy.volume(t);
     terms_.resize(tets);
@@ -68,12 +74,12 @@ class Distortion {
     const double determinant = jacobian.determinant();
     const auto [chi, slope] = regularised(determinant, epsilon);
     const double squares = jacobian.squaredNorm(), root = std::pow(chi, 2.0 / 3);
-    const double volumes = volume_weight_ * (1 + determinant * determinant) / chi;
+    const double volumes = kVolumeWeight * (1 + determinant * determinant) / chi;
     const double weight = energy_.volume(t) / all_;
     Term term;
     term.value = weight * (squares / root + volumes);
     const double by_determinant = -2.0 / 3 * squares / (root * chi) * slope +
-                                  2 * volume_weight_ * determinant / chi - volumes / chi * slope;
+                                  2 * kVolumeWeight * determinant / chi - volumes / chi * slope;
     Eigen::Matrix3d cofactors;
     cofactors.row(0) = jacobian.row(1).cross(jacobian.row(2));
     cofactors.row(1) = jacobian.row(2).cross(jacobian.row(0));
@@ -84,7 +90,7 @@ class Distortion {
   }
 
   const MapEnergy& energy_;
-  double volume_weight_, all_ = 0;
+  double all_ = 0;
   Sparse basis_, transposed_;
   MapCoordinates fixed_;
   std::vector<Term> terms_;
@@ -104,7 +110,7 @@ Untangled untangled(const PoissonMap& poisson, Eigen::VectorXd columns, IntegerC
                     const UntanglingOptions& options) {
   const MapEnergy& energy = poisson.energy();
   const std::vector<std::uint32_t> free = free_columns(poisson, integers);
-  Distortion distortion(energy, columns, free, options.volume_weight);
+  Distortion distortion(energy, columns, free);
   const Preconditioner preconditioner = [&](const Eigen::VectorXd& gradient) {
     return integers == IntegerColumns::kFree ? poisson.roughly_solved_with_integers(gradient)
                                              : poisson.roughly_solved(gradient);
@@ -114,13 +120,10 @@ Untangled untangled(const PoissonMap& poisson, Eigen::VectorXd columns, IntegerC
   Untangled result;
   result.flips = flips_of(energy, distortion.map(x));
   const MapFlips given = result.flips;
-  const double least = result.flips.least_determinant;
-  constexpr double kShare = 0.2, kWithoutFlips = 0.01;
-  double epsilon =
-      std::min(options.largest_epsilon, least < 0 ? std::max(1e-6, kShare * -least) : kWithoutFlips);
+  double epsilon = first_epsilon(given.least_determinant);
   std::size_t before = result.flips.tets;
   int in_vain = 0;
-  for (int round = 0; round < options.rounds && in_vain < options.rounds_in_vain; ++round) {
+  for (int round = 0; round < options.rounds && in_vain < kRoundsInVain; ++round) {
     const Descent descent =
         minimised([&](const Eigen::VectorXd& at,
                       Eigen::VectorXd& gradient) { return distortion(at, epsilon, gradient); },
@@ -130,7 +133,7 @@ Untangled untangled(const PoissonMap& poisson, Eigen::VectorXd columns, IntegerC
     result.flips = flips_of(energy, distortion.map(x));
     if (result.flips.tets == 0) break;
     const bool falls =
-        static_cast<double>(result.flips.tets) <= (1 - options.least_fall) * static_cast<double>(before);
+        static_cast<double>(result.flips.tets) <= (1 - kLeastFall) * static_cast<double>(before);
     in_vain = falls ? 0 : in_vain + 1;
     if (falls) before = result.flips.tets;
     epsilon = next_epsilon(result.flips.least_determinant, epsilon, descent.first_value, descent.value);

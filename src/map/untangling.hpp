@@ -12,14 +12,7 @@
 namespace crossgrain {
 
 struct UntanglingOptions {
-  double volume_weight = 0.1;  ///< of the change of volume against that of shape
-
-  /// Largest epsilon to begin with: beyond, and with integers free, maps collapse.
-  double largest_epsilon = 0.1;
-
   int rounds = 60;         ///< each with a smaller epsilon
-  int rounds_in_vain = 4;  ///< the end if so many do not lower the flips by `least_fall` of them
-  double least_fall = 0.1;
   DescentOptions descent;  ///< of a round
 };
 

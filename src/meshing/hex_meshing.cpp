@@ -10,38 +10,25 @@
 #include "crossgrain/reading.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "hex/hex_making.hpp"
-#include "meshing/hexahedra_of_models.hpp"
 #include "meshing/made_tets.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// Throws before the work for options that are out of range.
-void check(const HexMeshingOptions& options) {
-  check_options(options.hexahedra);
-  if (!options.solve.constraints.empty())
-    throw Error(ErrorKind::kUsage,
-                {"", "hexahedra", "their field takes no constraints, which a repair would leave"});
-}
-
-/// Makes all attempts. `begin` adds those that begin rounds, or begins one.
+/// Makes all attempts. `begin` is that of `best_of_attempts`, and returns seconds of making tets.
 template <class Begin>
 Hexahedra made_by_attempts(const Begin& begin, const HexMeshingOptions& options, const HexTuning& tuning,
                            const Monitor& monitor) {
-  check(options);
+  if (!options.solve.constraints.empty())
+    throw Error(ErrorKind::kUsage,
+                {"", "hexahedra", "their field takes no constraints, which a repair would leave"});
   const ThreadLimit limit(options.solve.threads);
   Stopwatch stopwatch;
-  stopwatch.start();
-  AttemptQueue queue(tuning.most_work, tuning.least_quality, monitor);
-  add_kinds_on_fields(options.hexahedra, tuning, queue);
-  double tet_seconds = begin(queue);
-  {
-    const WatchedLoops watched(queue.monitor(), Stops::kHeeded);
-    queue.run();
-  }
-  for (const HexAttempt& attempt : queue.attempts()) tet_seconds += attempt.tet_seconds;
-  Hexahedra made = best_hexahedra(queue);
+  double tet_seconds = 0;
+  Hexahedra made = best_of_attempts([&](AttemptQueue& queue) { tet_seconds = begin(queue); },
+                                    options.hexahedra, tuning, monitor);
   SolveReport report = made.field.report();
+  for (const HexAttempt& attempt : report.hexahedra->attempts) tet_seconds += attempt.tet_seconds;
   report.seconds.read = tet_seconds;
   report.seconds.total = stopwatch.restart();
   made.field = made.field.with_report(std::move(report));
@@ -53,7 +40,6 @@ template <class Make>
 Hexahedra in_tets(const Make& make, const HexMeshingOptions& options, const Monitor& monitor) {
   const auto begin = [&](AttemptQueue& queue) {
     Stopwatch stopwatch;
-    stopwatch.start();
     const TetDomain domain = make();
     const double seconds = stopwatch.restart();
     queue.start_on(solved_on(domain, options, queue.monitor()));

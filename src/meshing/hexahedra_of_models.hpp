@@ -2,9 +2,32 @@
 // Hexahedra of models with a tuning: for tests and bench.
 #pragma once
 
-#include "meshing/made_tets.hpp"
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "crossgrain/hex_meshing.hpp"
+#include "hex/hex_tuning.hpp"
+#include "tet_making/tet_making_tuning.hpp"
 
 namespace crossgrain {
+
+/// What steers attempts at hexahedra of a model; docs/notes/hexahedra.md has the measurements.
+struct MeshingTuning {
+  HexTuning hexahedra;
+
+  /// Sizes of made tets that are tried until hexahedra fill the model, relative to the first. Coarser tets
+  /// make shorter work, and often simpler singular graphs.
+  std::vector<double> tet_shares = {1, 4, 3, 3.5, 2.4, 1.7, 2, 1.4};
+
+  /// No further size is tried after so many.
+  std::size_t most_sizes = 5;
+
+  /// Of sizes with more tets than this only the coarsest is tried.
+  std::size_t large_tets = 50000;
+};
+
+using MakeTets = std::function<TetMesh(const TetMakingTuning& options, const Monitor& monitor)>;
 
 /// As `make_hexahedra` of a model of which `make` makes tets.
 Hexahedra hexahedra_in_tets_of(const MakeTets& make, const HexMeshingOptions& options,

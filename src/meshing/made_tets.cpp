@@ -19,26 +19,25 @@
 namespace crossgrain {
 namespace {
 
+/// Edges of tets in those of hexahedra.
+constexpr double kTetEdge = 1.4;
+
+/// StartingField::work_share of each size.
+constexpr double kWorkShare = 0.25;
+
 /// Returns how tets of a share of the first size are made.
-TetMakingTuning tet_options(const HexMeshingOptions& options, const MeshingTuning& tuning, double share) {
+TetMakingTuning tet_options(const HexMeshingOptions& options, double share) {
   TetMakingTuning result{options.tets};
   if (result.size == 0) {
     const HexOptions& hexahedra = options.hexahedra;
     result.size = hexahedra.size;
     if (hexahedra.size == 0) result.edges = std::max(result.edges, hexahedra.cells);
     result.at_least_edges = true;
-    share *= tuning.tet_edge;
+    share *= kTetEdge;
   }
   result.size *= share;
   result.edges /= share;
   return result;
-}
-
-/// Returns the size that `make_tets` takes.
-double size_of(const TetMakingTuning& options, const TetDomain& domain) {
-  const double of_edges = longest_side(domain.data().box) / options.edges;
-  if (options.size == 0) return of_edges;
-  return options.at_least_edges ? std::min(options.size, of_edges) : options.size;
 }
 
 bool are_same(const TetDomain& tets, const TetDomain& other) {
@@ -80,13 +79,12 @@ std::optional<Turn> MadeTets::next(const AttemptQueue& queue) const {
 
 std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
   Stopwatch stopwatch;
-  stopwatch.start();
   HexCandidate made;
   const std::optional<TetDomain> domain = next_domain(queue.monitor(), made.attempt);
   if (!domain) return {};
-  made.round = queue.rounds();
+  made.attempt.round = queue.rounds();
   StartingField start = solved_on(*domain, options_, queue.monitor());
-  start.work_share = tuning_.work_share;
+  start.work_share = kWorkShare;
   queue.start_on(std::move(start));
   made.attempt.work = kTetWork * static_cast<double>(made.attempt.tets);
   made.attempt.seconds = stopwatch.restart();
@@ -111,12 +109,11 @@ std::optional<TetDomain> MadeTets::next_domain(const Monitor& monitor, HexAttemp
 std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, const Monitor& monitor,
                                              HexAttempt& attempt) {
   Stopwatch stopwatch;
-  stopwatch.start();
-  const TetMakingTuning making = tet_options(options_, tuning_, share);
+  const TetMakingTuning making = tet_options(options_, share);
   ++sizes_;  // also if this fails
   const bool warns = !std::exchange(has_warned_, true);
   TetDomain domain = crossgrain::domain_of([&] { return make_(making, monitor); }, options_, warns, monitor);
-  attempt.tet_size = size_of(making, domain);
+  attempt.tet_size = making.size_for(longest_side(domain.data().box));
   attempt.tets = domain.mesh().tets.size();
   attempt.tet_seconds += stopwatch.restart();
   const bool is_known = std::any_of(domains_.begin(), domains_.end(),

@@ -6,14 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "crossgrain/hex_meshing.hpp"
 #include "hex/attempt_queue.hpp"
-#include "meshing/meshing_tuning.hpp"
-#include "tet_making/tet_making_tuning.hpp"
+#include "meshing/hexahedra_of_models.hpp"
 
 namespace crossgrain {
-
-using MakeTets = std::function<TetMesh(const TetMakingTuning& options, const Monitor& monitor)>;
 
 /// Attempts at tets of one size after the other, with a field on them: each begins a round.
 class MadeTets : public AttemptKind {

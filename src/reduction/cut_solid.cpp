@@ -176,13 +176,11 @@ void CutSolid::find_copies() {
       }
     }
   }
-  std::vector<std::uint32_t> numbers(4 * tets.size(), UINT32_MAX);
   copies_.resize(tets.size());
   std::uint32_t count = 0;
   for (std::uint32_t corner = 0; corner < 4 * tets.size(); ++corner) {
-    std::uint32_t& number = numbers[sets.root(corner)];
-    if (number == UINT32_MAX) number = count++;
-    copies_[corner / 4][corner % 4] = number;
+    const std::uint32_t root = sets.root(corner);  // comes before the others
+    copies_[corner / 4][corner % 4] = root == corner ? count++ : copies_[root / 4][root % 4];
   }
   first_copies_.assign(count, UINT32_MAX);
   words_.resize(count);

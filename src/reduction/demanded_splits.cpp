@@ -74,7 +74,6 @@ OwnedField owned(const MatchedField& field) {
   OwnedField result;
   result.solid = std::make_unique<const TetSolid>(field.complex().solid());
   result.frames.assign(field.frames().begin(), field.frames().end());
-  for (std::uint32_t t = 0; t < result.frames.size(); ++t) result.parents.push_back(t);
   complete(result, field.matchings());
   return result;
 }
@@ -119,10 +118,7 @@ OwnedField with_splits(const OwnedField& field, const DemandedSplits& splits) {
   OwnedField result;
   std::vector<Warning> known;  // the faults of the tets as given
   result.solid = std::make_unique<const TetSolid>(prepare_tets(std::move(split.mesh), known));
-  for (const std::uint32_t parent : split.parents) {
-    result.frames.push_back(field.frames[parent]);
-    result.parents.push_back(field.parents[parent]);
-  }
+  for (const std::uint32_t parent : split.parents) result.frames.push_back(field.frames[parent]);
   complete(result, inherited_matchings(*field.field, *result.solid, split.parents));
   return result;
 }

@@ -19,10 +19,9 @@ struct OwnedField {
   std::vector<Quaternion> frames;
   std::unique_ptr<const TetComplex> complex;
   std::unique_ptr<const MatchedField> field;
-  std::vector<std::uint32_t> parents;  ///< of each tet the one of the field that was given first
 };
 
-/// The field on its own, with each tet its own parent.
+/// The field on its own.
 OwnedField owned(const MatchedField& field);
 
 /// Edges and inner faces whose vertices the map keeps on more common lines and planes of the grid than it

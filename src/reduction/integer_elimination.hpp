@@ -30,6 +30,10 @@ LinearForm added(const LinearForm& a, const LinearForm& b, std::int64_t factor =
 
 LinearForm multiplied(const LinearForm& a, std::int64_t factor);
 
+inline LinearForm operator-(const LinearForm& a) {
+  return multiplied(a, -1);
+}
+
 /// Unknowns and the equations between them. Where an equation leaves no factor of 1 or -1, unknowns are
 /// replaced by others with smaller factors, as in Euclid's algorithm: over the integers the solutions stay
 /// the same.

@@ -7,15 +7,6 @@
 
 namespace crossgrain {
 
-MapPoint turned(std::uint8_t rotation, const MapPoint& point) {
-  MapPoint result;
-  for (SignedAxis axis = 0; axis < 3; ++axis) {
-    const SignedAxis image = CubeGroup::instance().image(rotation, axis);
-    result[image % 3] = image < 3 ? point[axis] : multiplied(point[axis], -1);
-  }
-  return result;
-}
-
 MapUnknowns::MapUnknowns(const CutSolid& cut)
     : cut_(&cut),
       first_translation_(static_cast<std::uint32_t>(3 * cut.copies())),

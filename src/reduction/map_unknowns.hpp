@@ -15,9 +15,6 @@ namespace crossgrain {
 /// Three coordinates of the map as forms of unknowns.
 using MapPoint = std::array<LinearForm, 3>;
 
-/// A point after a rotation of its axes.
-MapPoint turned(std::uint8_t rotation, const MapPoint& point);
-
 /// The unknowns of a map of a cut solid (CutSolid) that is linear in each tet, after exact elimination of all
 /// that its matchings demand:
 ///

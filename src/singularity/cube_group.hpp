@@ -68,4 +68,15 @@ class CubeGroup {
   std::array<std::array<SignedAxis, 6>, kCount> images_{};
 };
 
+/// A point after a rotation of its axes.
+template <class Point>
+Point turned(std::uint8_t rotation, const Point& p) {
+  Point result = p;
+  for (SignedAxis k = 0; k < 3; ++k) {
+    const SignedAxis image = CubeGroup::instance().image(rotation, k);
+    result[image % 3] = image < 3 ? p[k] : -p[k];
+  }
+  return result;
+}
+
 }  // namespace crossgrain

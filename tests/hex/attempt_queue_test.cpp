@@ -51,7 +51,7 @@ class Dummy : public AttemptKind {
     std::vector<HexCandidate> candidates;
     for (const double share : shares) {
       candidates.push_back(candidate_that_misses(share));
-      candidates.back().round = round;
+      candidates.back().attempt.round = round;
     }
     return candidates;
   }
@@ -131,7 +131,7 @@ TEST(AttemptQueue, KeepsTheRoundThatMissesTheLeastVolume) {
                {{0, Step::kRepair}, {0.5}}, {{1, Step::kRepair}, {0.2}}, {{2, Step::kRepair}, {0.3}}}));
   queue.run();
   EXPECT_EQ(queue.best()->made->volume_missed, 0.2);
-  EXPECT_EQ(queue.best()->round, 1u);
+  EXPECT_EQ(queue.best()->attempt.round, 1u);
 }
 
 TEST(AttemptQueue, EndsOnceItsWorkIsDone) {

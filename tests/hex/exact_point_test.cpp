@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hex/exact_point.hpp"
+#include "hex/exact_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -54,8 +54,8 @@ TEST(LineLengths, OfArcsAreTheHeightOfTheCylinder) {
 TEST(LineGaps, AreBetweenLinesThatAreNearEachOtherOnly) {
   const testing::AskewBox box({3, 2, 4});
   const RelaxedMap fine(box.unknowns, 0.1), coarse(box.unknowns, 2);
-  EXPECT_TRUE(line_gaps(box.unknowns, fine.columns, fine.coordinates, {}).empty());
-  const Separations gaps = line_gaps(box.unknowns, coarse.columns, coarse.coordinates, {});
+  EXPECT_TRUE(line_gaps(box.unknowns, fine.columns, fine.coordinates).empty());
+  const Separations gaps = line_gaps(box.unknowns, coarse.columns, coarse.coordinates);
   EXPECT_FALSE(gaps.empty());
   // Edges that are side by side, 2 and 3 apart in hexahedra of 2.
   for (const double value : coarse.values(gaps))
