@@ -15,7 +15,8 @@ namespace crossgrain {
 
 /// What became of the hexahedra.
 enum class HexOutcome : int {
-  kAllHex,   ///< they fill the model, and none is inverted
+  kAllHex,   ///< they fill the model as it asks for, and none is inverted
+  kFlawed,   ///< they fill the model, but are not what it asks for: HexReport::reason
   kPartial,  ///< some are left out or inverted: HexReport::reason
   kNone      ///< none were found
 };

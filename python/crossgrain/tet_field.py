@@ -24,7 +24,7 @@ from .options import HexOptions, OutputOptions, RepairOptions, StreamlineOptions
 from .streamlines import Streamlines, traced
 from .vtk_data import grid_of
 
-OUTCOMES = ("all-hex", "partial", "none")
+OUTCOMES = ("all-hex", "flawed", "partial", "none")
 """Values of ``HexMesh.outcome``."""
 
 
@@ -184,13 +184,13 @@ class HexMesh:
 
     @property
     def outcome(self) -> str:
-        """``"all-hex"``: they fill the model, and none is inverted; ``"partial"``: some are left out or
-        inverted; ``"none"``."""
+        """``"all-hex"``: they fill the model as it asks for, and none is inverted; ``"flawed"``: they fill
+        it, but are not what it asks for; ``"partial"``: some are left out or inverted; ``"none"``."""
         return OUTCOMES[library.crossgrain_hexahedra_outcome(self._handle)]
 
     @property
     def is_all_hex(self) -> bool:
-        """Whether the hexahedra fill the model, and none is inverted."""
+        """Whether the hexahedra fill the model as it asks for, and none is inverted."""
         return self.outcome == "all-hex"
 
     @property

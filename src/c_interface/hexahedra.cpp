@@ -10,6 +10,9 @@
 
 using namespace crossgrain;
 
+static_assert(static_cast<int>(HexOutcome::kFlawed) == CROSSGRAIN_FLAWED_HEX);
+static_assert(static_cast<int>(HexOutcome::kNone) == CROSSGRAIN_NO_HEX);
+
 crossgrain_hexahedra::crossgrain_hexahedra(Hexahedra its_hexahedra)
     : made(std::move(its_hexahedra)),
       sentence(sentence_of(made.report())),

@@ -11,7 +11,7 @@
 namespace crossgrain {
 
 const char* name_of(HexOutcome outcome) {
-  constexpr std::array kNames{"all-hex", "partial", "none"};
+  constexpr std::array kNames{"all-hex", "flawed", "partial", "none"};
   return name_among<HexOutcome::kNone>(kNames, outcome);
 }
 

@@ -128,10 +128,20 @@ std::string hexahedra_text(std::size_t count) {
   return counted(count, "hexahedron", "hexahedra");
 }
 
+const char* title_of(HexOutcome outcome) {
+  switch (outcome) {
+    case HexOutcome::kAllHex:
+      return "All-hex";
+    case HexOutcome::kFlawed:
+      return "Flawed mesh";
+    default:
+      return "Partial mesh";
+  }
+}
+
 LegendBlock outcome_block(std::size_t hexahedra, const HexReport* report) {
   if (report == nullptr) return {hexahedra_text(hexahedra)};
-  const bool is_whole = report->outcome == HexOutcome::kAllHex;
-  LegendBlock block{fmt::format("{}: {}", is_whole ? "All-hex" : "Partial mesh", hexahedra_text(hexahedra))};
+  LegendBlock block{fmt::format("{}: {}", title_of(report->outcome), hexahedra_text(hexahedra))};
   if (!report->reason.empty()) block.notes.push_back(report->reason);
   return block;
 }

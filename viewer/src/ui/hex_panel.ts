@@ -51,6 +51,7 @@ export function show_hexahedron(panel: HTMLElement, hexahedron: HexDescription, 
 
 const kOutcomes: Record<string, Badge> = {
   "all-hex": { judgement: "good", short: "all-hex", sign: "✓" },
+  flawed: { judgement: "unsure", short: "flawed mesh", sign: "!" },
   partial: { judgement: "unsure", short: "partial mesh", sign: "!" },
   none: { judgement: "bad", short: "no mesh", sign: "!" },
 };
