@@ -60,9 +60,9 @@ int exit_code_after(const SolveReport& report) {
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
-void print_warning(Warning warning, const std::string& model) {
-  if (warning.file.empty()) warning.file = model;
-  print_message("warning: " + line_of(warning, Command::kSolve));
+void print_warning(Warning warning, const SolveArguments& arguments) {
+  if (warning.file.empty()) warning.file = arguments.model;
+  print_message("warning: " + line_of(warning, arguments));
 }
 
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
@@ -372,7 +372,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     const Interruption interruption(monitor, lines.is_moving());
     const auto warn = [&](const Warning& warning) {
       lines.end_line();
-      print_warning(warning, arguments.model);
+      print_warning(warning, arguments);
     };
     const auto leave_line = [&lines] { lines.leave_line(); };
     const SolveOnGrid on_grid = together ? together : solve_alone;
@@ -380,7 +380,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)
-    if (is_always_printed(warning)) print_warning(warning, arguments.model);
+    if (is_always_printed(warning)) print_warning(warning, arguments);
   if (!arguments.quiet) print_result(summary_of(report, arguments));
   return exit_code_after(report);
 }

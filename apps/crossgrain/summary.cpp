@@ -97,11 +97,21 @@ std::string tries_row(const HexReport& report) {
                                   counted(sizes, "size of tets", "sizes of tets"), used));
 }
 
-std::string hexahedra_rows(const SolveReport& report) {
+/// Returns what to do about hexahedra in options of `hex`, where it has one.
+std::string remedy_of(const HexReport& report, const SolveArguments& arguments) {
+  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
+  if (report.remedy_kind == Remedy::kSeparateSolids)
+    return can_glue ? "--glue, or cutting one from the other" : "cutting one from the other";
+  if (report.remedy_kind != Remedy::kGlueSolids) return report.remedy;
+  if (can_glue) return "--glue";
+  if (arguments.glue) return "smaller tets with --tet-size, between which a gap shows";
+  if (is_tet_file(arguments.model)) return "meshing them together, with common vertices where they touch";
+  return "uniting them where they were drawn, or a CAD file of them with --glue";
+}
+
+std::string hexahedra_rows(const SolveReport& report, const SolveArguments& arguments) {
   const HexReport& hexahedra = *report.hexahedra;
-  std::string text = row("hexahedra", sentence_of(hexahedra));
-  if (report.regions.size() > 1)
-    text += row("regions", "meshed as one: hexahedra may reach across the faces between them");
+  std::string text = row("hexahedra", sentence_of(hexahedra, remedy_of(hexahedra, arguments)));
   text += tries_row(hexahedra);
   if (hexahedra.hexahedra == 0) return text;
   const auto percent = [](double ratio) { return fmt::format("{:+.2f} %", 100 * (ratio - 1)); };
@@ -176,22 +186,35 @@ std::string options_for_walls(const SolveReport& report, const Warning& warning,
 std::string advice_on(const Warning& warning, const SolveReport& report, const SolveArguments& arguments) {
   if (warning.kind == WarningKind::kThinWalls)
     return sentence_of(warning, options_for_walls(report, warning, arguments));
-  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
-  if (can_glue && warning.remedy == Remedy::kGlueSolids) return sentence_of(warning, "glue them with --glue");
-  if (can_glue && warning.remedy == Remedy::kSeparateSolids)
-    return sentence_of(warning, "cut one from the other, or glue them with --glue");
-  return line_of(warning, Command::kSolve);
+  return line_of(warning, arguments);
+}
+
+/// Whether the first line says it already.
+bool is_said(const Warning& warning, const SolveReport& report) {
+  const bool is_of_contact = warning.kind == WarningKind::kOverlappingSolids ||
+                             warning.kind == WarningKind::kTouchingSolids ||
+                             warning.kind == WarningKind::kUnmergedVertices;
+  return is_of_contact && report.hexahedra && report.hexahedra->outcome == HexOutcome::kFlawed;
 }
 
 std::string warning_rows(const SolveReport& report, const SolveArguments& arguments) {
   std::string text;
   for (const Warning& warning : report.warnings)
-    if (!is_of_reading(warning) && !is_always_printed(warning))
+    if (!is_of_reading(warning) && !is_always_printed(warning) && !is_said(warning, report))
       text += row("warning", advice_on(warning, report, arguments));
   return text;
 }
 
 }  // namespace
+
+std::string line_of(const Warning& warning, const SolveArguments& arguments) {
+  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
+  const bool is_of_gluing = warning.remedy == Remedy::kGlueSolids || warning.remedy == Remedy::kMergeVertices;
+  if (can_glue && is_of_gluing) return sentence_of(warning, "glue them with --glue");
+  if (can_glue && warning.remedy == Remedy::kSeparateSolids)
+    return sentence_of(warning, "cut one from the other, or glue them with --glue");
+  return line_of(warning, Command::kSolve);
+}
 
 std::string line_of(const Answer& answer) {
   if (answer.reasons.empty() || answer.reasons.front().remedy != Remedy::kUseResolution)
@@ -200,8 +223,8 @@ std::string line_of(const Answer& answer) {
 }
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
-  std::string text =
-      (report.hexahedra ? hexahedra_rows(report) : answer_rows(report, arguments)) + model_row(report);
+  std::string text = (report.hexahedra ? hexahedra_rows(report, arguments) : answer_rows(report, arguments)) +
+                     model_row(report);
   text += report.onto ? tets_rows(*report.onto) : grid_rows(report);
   text += cost_row(report) + warning_rows(report, arguments);
   text += report.onto ? tets_energy_row(*report.onto) : grid_energy_row(report.energy);
@@ -217,6 +240,7 @@ bool is_of_reading(const Warning& warning) {
     case WarningKind::kUnknownUnit:
     case WarningKind::kMissingParts:
     case WarningKind::kLooseFaces:
+    case WarningKind::kRepeatedBodies:
     case WarningKind::kMissingFaces:
     case WarningKind::kCurvedTets:
     case WarningKind::kSkippedData:

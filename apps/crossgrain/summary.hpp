@@ -14,6 +14,9 @@ namespace crossgrain::app {
 /// field and its cost, warnings, the energy and the files. Of tets it describes the field on them.
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments);
 
+/// Returns a warning with what to do about it, in options of `solve` that suit the model.
+std::string line_of(const Warning& warning, const SolveArguments& arguments);
+
 /// Returns the sentence of an answer, with the program's options in what to do next.
 std::string line_of(const Answer& answer);
 

@@ -56,13 +56,15 @@ struct HexReport {
   static constexpr std::size_t kMostPlaces = 20;
 
   HexOutcome outcome = HexOutcome::kNone;
-  std::string reason;           ///< why it is not kAllHex, with a place if there is one
-  std::string remedy;           ///< what to try then
+  std::string reason;                  ///< why it is not kAllHex, with a place if there is one
+  std::string remedy;                  ///< what to try then
+  Remedy remedy_kind = Remedy::kNone;  ///< the same where programs have options for it
   std::vector<Vector3> places;  ///< where: of what `reason` counts, the worst first, at most kMostPlaces
   double size = 0;              ///< of the hexahedra that were asked for
   double used_size = 0;
 
   std::size_t hexahedra = 0, vertices = 0;
+  std::size_t bodies = 0;    ///< sets of hexahedra connected over faces
   bool is_coarse = false;    ///< far fewer than would fill the model at `size`
   std::size_t left_out = 0;  ///< cells of the grid that the map covers more than once, or without a corner
 
@@ -76,6 +78,11 @@ struct HexReport {
   /// From vertices of the boundary to the surface of the model, and from vertices and centroids of that
   /// surface to the boundary.
   double largest_distance = 0, mean_distance = 0, largest_distance_of_model = 0;
+
+  /// Faces between hexahedra of different regions, and the largest distance of their vertices from where
+  /// regions of the model meet.
+  std::size_t interface_faces = 0;
+  double largest_interface_distance = 0;
 
   struct Quality {
     double least = 0, one_percent = 0, mean = 0;
@@ -101,6 +108,9 @@ struct HexReport {
 
 /// Returns the report as a sentence: "all-hex, 1268 hexahedra, worst scaled Jacobian 0.71 at 3.2 0.1 4".
 std::string sentence_of(const HexReport& report);
+
+/// Returns the sentence with other words for the remedy.
+std::string sentence_of(const HexReport& report, const std::string& remedy);
 
 /// @}
 

@@ -124,6 +124,7 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
 void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
   report.hexahedra = mesh.hexahedra.size();
   report.vertices = mesh.vertices.size();
+  report.bodies = count_bodies(mesh);
   const HexTopology topology = topology_of(mesh);
   report.crowded_faces = topology.crowded_faces;
   report.open_edges = topology.open_edges;

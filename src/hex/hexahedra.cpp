@@ -14,6 +14,7 @@
 #include "hex/hex_making.hpp"
 #include "hex/hex_map.hpp"
 #include "hex/hex_report.hpp"
+#include "hex/solid_judgement.hpp"
 #include "solve/tet_domain_data.hpp"
 
 namespace crossgrain {
@@ -66,6 +67,8 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
   explain(best, report);
+  SolveReport whole = field.report();
+  judge_solids(mesh, followed.solid(), whole.onto->united, report, whole.warnings);
   report.attempts = queue.attempts();
   report.best_attempt = queue.best_attempt();
   const HexSeconds& seconds = queue.seconds();
@@ -74,7 +77,6 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.extraction_seconds = seconds.extraction;
   report.smoothing_seconds = seconds.smoothing;
   report.analysis_seconds = stopwatch.restart();
-  SolveReport whole = field.report();
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
   whole.hexahedra = std::move(report);
   return {std::move(mesh), field.with_report(std::move(whole)), std::move(map)};

@@ -13,6 +13,7 @@
 #include "crossgrain/solve.hpp"
 #include "hex/hex_making.hpp"
 #include "hex/work.hpp"
+#include "measure/body_contacts.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "tets/tet_shape.hpp"
 
@@ -58,7 +59,11 @@ TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOption
   TetMesh mesh = make();
   if (warns && options.on_warning)
     for (const Warning& warning : mesh.warnings) options.on_warning(warning);
-  return prepared(TetDomain(std::move(mesh), options.tags), options);
+  const TetDomain domain = prepared(TetDomain(std::move(mesh), options.tags), options);
+  if (!warns || !options.on_warning) return domain;
+  const std::vector<BodyContact> contacts = body_contacts(domain.data().solid);
+  if (!contacts.empty()) options.on_warning(warning_of(contacts));
+  return domain;
 }
 
 StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor) {
