@@ -33,9 +33,11 @@ constexpr std::size_t kOffsetBytes = 29;
 /// stable distributions), it puts off a token until twice as much of it is there, so that ParaView 5.11 of
 /// Debian 12 and 5.12.0 pass on data as XML, and fail. If a block ends with the name of the tag, VTK passes
 /// its attributes one character at a time; expat looks at 13, 26 and 52 of them, and with 25 to 37 between
-/// name and ">" the last is at the end. tests/python/paraview_test.py opens files in such a ParaView.
+/// name and ">" the last is at the end. The blanks stand before the attribute, since meshio looks for a tag
+/// that ends with '">'. tests/python/paraview_test.py opens files in such a ParaView, other_packages_test.py
+/// in meshio and in VTK.
 constexpr std::size_t kReadBlock = 4096;
-constexpr std::string_view kDataAttributes = " encoding=\"raw\"               ";
+constexpr std::string_view kDataAttributes = "                encoding=\"raw\"";
 static_assert(kVtuDataTag.size() == 13 && kDataAttributes.size() == 30);
 
 std::string escaped(const std::string& text) {
