@@ -197,15 +197,15 @@ CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
 }
 
 CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("streamlines", "Traces lines along the axes of a field, as polylines for ParaView");
+  CLI::App* command = app.add_subcommand(
+      "streamlines", "Traces lines along the axes of a field, as polylines for other programs");
   StreamlineOptions& options = arguments.options;
   add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
   CLI::Option* seeds = add_value(
       *command, "SEEDS", arguments.seeds, "",
       "Points to trace through, one 'x y z' a line; - for standard input (default: evenly spread ones)");
   add_value(*command, "-o,--output", arguments.output, "FILE",
-            "The .vtu file to write (default: DIR/streamlines.vtu)");
+            "The .vtu, .vtp or .obj file to write (default: DIR/streamlines.vtu)");
   add_field_choice(*command, arguments.choice);
   add_parsed(
       *command, "--on", parse_places, [&arguments](const auto& places) { arguments.places = places; },

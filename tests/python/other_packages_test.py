@@ -138,7 +138,8 @@ class FilesInOtherPackages(unittest.TestCase):
         folder = Path(temporary.name)
         field = cg.solve(*ball(), resolution=16)
         field.write(folder / "grid", page=False)
-        field.streamlines(count=5).write(folder / "grid" / "streamlines.vtu")
+        for ending in ("vtu", "vtp"):
+            field.streamlines(count=5).write(folder / "grid" / f"streamlines.{ending}")
         cg.hex(*cube_of_tets(4), size=0.25).write_folder(folder / "hex", page=False, formats=["map", "features"])
         # The cube has no singular arcs, and meshio fails on a file without a cell.
         cls.paths = [path for path in folder.glob("*/*.vtu") if "singularities" not in path.name or path.parent.name == "grid"]
@@ -173,6 +174,23 @@ class FilesInOtherPackages(unittest.TestCase):
         sizes = np.cbrt(np.linalg.det(sides))
         np.testing.assert_allclose(sides, sizes[:, None, None] * np.eye(3), atol=1e-9)
         np.testing.assert_allclose(corners[:, 6] - corners[:, 0], sizes[:, None] * np.ones(3), atol=1e-9)
+
+    def test_vtk_opens_streamlines_as_poly_data_too(self):
+        to_numpy = imported(self, "vtkmodules.util.numpy_support").vtk_to_numpy
+        path = next(path for path in self.paths if path.name == "streamlines.vtu")
+        reader = imported(self, "vtkmodules.vtkIOXML").vtkXMLPolyDataReader()
+        reader.SetFileName(str(path.with_suffix(".vtp")))
+        reader.Update()
+        lines, grid = reader.GetOutput(), self.opened_by_vtk(path)
+        self.assertEqual(lines.GetNumberOfLines(), grid.GetNumberOfCells())
+        for ours, theirs in ((lines.GetPointData(), grid.GetPointData()), (lines.GetCellData(), grid.GetCellData())):
+            names = [ours.GetArrayName(i) for i in range(ours.GetNumberOfArrays())]
+            self.assertEqual(names, [theirs.GetArrayName(i) for i in range(theirs.GetNumberOfArrays())])
+            for name in names:
+                np.testing.assert_array_equal(to_numpy(ours.GetArray(name)), to_numpy(theirs.GetArray(name)))
+        for i in range(grid.GetNumberOfCells()):
+            points = [to_numpy(data.GetCell(i).GetPoints().GetData()) for data in (lines, grid)]
+            np.testing.assert_array_equal(*points)
 
     def test_vtk_opens_them(self):
         to_numpy = imported(self, "vtkmodules.util.numpy_support").vtk_to_numpy
