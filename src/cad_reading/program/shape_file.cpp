@@ -11,20 +11,17 @@
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
-#include <TColStd_SequenceOfAsciiString.hxx>
-#include <TCollection_AsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <string_view>
-#include <utility>
 
 #include "cad_reading/program/fault.hpp"
 #include "cad_reading/program/step_contents.hpp"
+#include "cad_reading/program/unit_name.hpp"
 
 namespace crossgrain {
 namespace {
@@ -34,21 +31,6 @@ constexpr const char* kUnit = "mm";
 
 void ask_for_millimetres() {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-}
-
-/// Common spelling of a unit; unknown names in lower case.
-std::string short_unit(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array<std::pair<const char*, const char*>, 6> kShort = {{{"millimetre", "mm"},
-                                                                          {"centimetre", "cm"},
-                                                                          {"metre", "m"},
-                                                                          {"micrometre", "um"},
-                                                                          {"kilometre", "km"},
-                                                                          {"in", "inch"}}};
-  for (const auto& [from, to] : kShort) {
-    if (name == from) return to;
-  }
-  return name;
 }
 
 /// Throws Fault if part of the geometry of an IGES file did not load: OpenCASCADE would go on with null
@@ -69,15 +51,6 @@ void warn_without_unit(CadShape& result) {
   if (result.file_unit.empty())
     result.warnings.emplace_back(WarningKind::kUnknownUnit,
                                  "the file does not give a unit of length; millimetres are assumed");
-}
-
-std::string units_of(STEPControl_Reader& reader) {
-  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
-  reader.FileUnits(lengths, angles, solid_angles);
-  std::string units;
-  for (int i = 1; i <= lengths.Length(); ++i)
-    units += (i > 1 ? ", " : "") + short_unit(lengths(i).ToCString());
-  return units;
 }
 
 /// Reads all parts, and warns of those with faces that could not be read.
@@ -116,7 +89,7 @@ CadShape read_step_shape(const std::string& path) {
   contents.keep_sound_shapes();
   CadShape result;
   result.unit = kUnit;
-  result.file_unit = units_of(reader);
+  result.file_unit = fmt::format("{}", fmt::join(contents.length_units(), ", "));
   warn_without_unit(result);
   transfer_parts(reader, contents, result.warnings);
   result.shape = reader.OneShape();
