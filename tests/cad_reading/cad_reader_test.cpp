@@ -314,6 +314,13 @@ TEST(ReadCad, RefusesAFaceWithoutBounds) {
   EXPECT_NE(input_error_of(cad_files() / "endless.brep").find("without bounds"), std::string::npos);
 }
 
+TEST(ReadCad, RefusesOpenFacesAlone) {
+  for (const char* name : {"face.brep", "faces_apart.brep"}) {
+    const std::string message = input_error_of(cad_files() / name);
+    EXPECT_NE(message.find("encloses nothing; close it"), std::string::npos) << message;
+  }
+}
+
 TEST(ReadCad, RefusesOptionsOutOfRange) {
   for (const CadReading& options :
        {CadReading{{.facet_angle_deg = 91}}, CadReading{{.crease_angle_deg = std::nan("")}}})

@@ -129,6 +129,14 @@ class WithTheReader(CommandTest):
         self.assertNotIn("unit", model)
         self.assertNotIn("file_unit", model)
 
+    def test_open_faces_alone_are_refused_by_every_command(self):
+        for command in ("solve", "tets", "hex"):
+            for name, words in (("face.brep", "one open face"), ("faces_apart.brep", "2 open faces")):
+                with self.subTest(command=command, name=name):
+                    before = self.names()
+                    self.assert_fails(self.run_here(command, name), INPUT, f"{name}: has {words}", "encloses nothing; close it")
+                    self.assertEqual(self.names(), before)
+
     def test_finer_cells_get_finer_triangles(self):
         coarse = self.solve("cylinder.brep", "--resolution", "8")[1]["model"]["triangles"]
         by_size = self.solve("cylinder.brep", "--cell-size", "0.2", "--output-level", "2")[1]["model"]["triangles"]

@@ -93,6 +93,19 @@ void add_solids(const std::vector<TopoDS_Shape>& solids, const std::optional<Glu
     bodies.push_back({solid, true, static_cast<std::int32_t>(bodies.size())});
 }
 
+/// Throws Fault if a file has nothing but open faces that meet no other.
+void refuse_faces_alone(const std::vector<TopoDS_Shape>& shells) {
+  const auto is_alone = [](const TopoDS_Shape& shell) {
+    return !BRep_Tool::IsClosed(shell) && shapes_of(shell, TopAbs_FACE).size() == 1;
+  };
+  if (!std::all_of(shells.begin(), shells.end(), is_alone)) return;
+  throw Fault(shells.size() == 1
+                  ? "has one open face and no solid, and encloses nothing"
+                  : fmt::format("has {} open faces, none of which meets another, and encloses nothing",
+                                shells.size()),
+              Remedy::kCloseSurface);
+}
+
 Warning warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) {
   const auto closed = std::count_if(shells.begin(), shells.end(),
                                     [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); });
@@ -130,6 +143,7 @@ Bodies find_bodies(const TopoDS_Shape& shape, const CadReading& options) {
   add_solids(solids, glued, result.bodies);
   const LooseFaces loose(shape, longest_side);
   if (!loose.shells().empty()) {
+    if (solids.empty()) refuse_faces_alone(loose.shells());
     result.warnings.push_back(warning_of(solids.size(), loose.shells()));
     auto number = static_cast<std::int32_t>(solids.size());
     for (const TopoDS_Shape& shell : loose.shells())
