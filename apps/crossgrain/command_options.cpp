@@ -158,9 +158,11 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("solve", "Computes the frame field inside a surface or on a tet mesh");
   SolveOptions& options = arguments.options;
-  add_argument(*command, "MODEL", arguments.model,
-               "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
-               "or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface");
+  add_argument(
+      *command, "MODEL", arguments.model,
+      "The surface, an STL, OBJ, PLY, OFF, 3MF, STEP, IGES, BREP or FCStd file; or a tet mesh (Medit "
+      ".mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface; any of them also "
+      "as .gz");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.frames here)");
   add_degree(*command, options.degree);
   CLI::Option* resolution = add_value(

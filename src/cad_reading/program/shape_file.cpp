@@ -13,12 +13,18 @@
 #include <STEPControl_Reader.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <gp_Quaternion.hxx>
+#include <gp_Trsf.hxx>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
+#include "cad_reading/placed_breps.hpp"
 #include "cad_reading/program/fault.hpp"
 #include "cad_reading/program/step_contents.hpp"
 #include "cad_reading/program/unit_name.hpp"
@@ -123,22 +129,53 @@ CadShape read_iges_shape(const std::string& path) {
   return result;
 }
 
-bool is_binary_brep(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+/// Returns whether a stream begins like a binary BREP file, and goes back to its beginning.
+bool is_binary_brep(std::istream& stream) {
   std::array<char, 40> head{};
-  file.read(head.data(), head.size());
-  return std::string(head.data(), head.size()).find("Open CASCADE") != std::string::npos;
+  stream.read(head.data(), head.size());
+  stream.clear();
+  stream.seekg(0);
+  return std::string_view(head.data(), head.size()).find("Open CASCADE") != std::string_view::npos;
 }
 
 CadShape read_brep_shape(const std::string& path) {
   CadShape result;
-  bool done = false;
-  if (is_binary_brep(path)) {
-    done = BinTools::Read(result.shape, path.c_str());
-  } else {
-    done = BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
-  }
+  std::ifstream file(path, std::ios::binary);
+  const bool done = is_binary_brep(file) ? BinTools::Read(result.shape, path.c_str())
+                                         : BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
   if (!done) throw Fault("is damaged, or not a BREP file that OpenCASCADE can read", Remedy::kExportAgain);
+  return result;
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// FreeCAD's own unit is the millimetre. Shapes without faces, such as sketches, are left out.
+CadShape read_placed_shapes(const std::string& path) {
+  const auto shapes = placed_breps_in(content_of(path));
+  if (!shapes) throw Fault("its shapes could not be handed on", Remedy::kReinstall);
+  const BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for (const auto& [turn, move, brep] : *shapes) {
+    TopoDS_Shape shape;
+    std::istringstream stream(brep);
+    if (is_binary_brep(stream))
+      BinTools::Read(shape, stream);
+    else
+      BRepTools::Read(shape, stream, BRep_Builder());
+    if (shape.IsNull()) throw Fault("has a shape that OpenCASCADE cannot read", Remedy::kExportAgain);
+    if (!TopExp_Explorer(shape, TopAbs_FACE).More()) continue;
+    gp_Trsf place;
+    place.SetRotation(gp_Quaternion(turn[1], turn[2], turn[3], turn[0]));
+    place.SetTranslationPart(gp_Vec(move[0], move[1], move[2]));
+    builder.Add(compound, shape.Moved(TopLoc_Location(place)));
+  }
+  CadShape result;
+  result.shape = compound;
+  result.unit = result.file_unit = kUnit;
   return result;
 }
 
@@ -147,7 +184,8 @@ CadShape read_brep_shape(const std::string& path) {
 CadShape read_shape(const std::string& path, CadFormat format) {
   CadShape result = format == CadFormat::kStep   ? read_step_shape(path)
                     : format == CadFormat::kIges ? read_iges_shape(path)
-                                                 : read_brep_shape(path);
+                    : format == CadFormat::kBrep ? read_brep_shape(path)
+                                                 : read_placed_shapes(path);
   if (result.shape.IsNull()) throw Fault("has no shapes that could be read", Remedy::kExportAgain);
   return result;
 }
