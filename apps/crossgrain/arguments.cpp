@@ -44,10 +44,9 @@ void check_model(AnyArguments& arguments, bool glue, const CLI::App* command, co
   if (arguments.model.empty()) refuse("MODEL is empty", command);
   refuse_empty(command, "--output", arguments.output, output);
   if (glue && !is_cad_file(arguments.model))
-    refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
+    refuse("--glue is for CAD files (STEP, IGES, BREP, FCStd); glue meshes where they are made", command);
   arguments.is_output_named = !arguments.output.empty();
-  if (!arguments.is_output_named)
-    arguments.output = std::filesystem::path(arguments.model).stem().string() + extension;
+  if (!arguments.is_output_named) arguments.output = stem_of_model(arguments.model) + extension;
 }
 
 // Each checks combinations of options.

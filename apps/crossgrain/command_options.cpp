@@ -158,9 +158,11 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("solve", "Computes the frame field inside a surface or on a tet mesh");
   SolveOptions& options = arguments.options;
-  add_argument(*command, "MODEL", arguments.model,
-               "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
-               "or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface");
+  add_argument(
+      *command, "MODEL", arguments.model,
+      "The surface, an STL, OBJ, PLY, OFF, 3MF, STEP, IGES, BREP or FCStd file; or a tet mesh (Medit "
+      ".mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface; any of them also "
+      "as .gz");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.frames here)");
   add_degree(*command, options.degree);
   CLI::Option* resolution = add_value(
@@ -197,15 +199,15 @@ CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
 }
 
 CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("streamlines", "Traces lines along the axes of a field, as polylines for ParaView");
+  CLI::App* command = app.add_subcommand(
+      "streamlines", "Traces lines along the axes of a field, as polylines for other programs");
   StreamlineOptions& options = arguments.options;
   add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
   CLI::Option* seeds = add_value(
       *command, "SEEDS", arguments.seeds, "",
       "Points to trace through, one 'x y z' a line; - for standard input (default: evenly spread ones)");
   add_value(*command, "-o,--output", arguments.output, "FILE",
-            "The .vtu file to write (default: DIR/streamlines.vtu)");
+            "The .vtu, .vtp or .obj file to write (default: DIR/streamlines.vtu)");
   add_field_choice(*command, arguments.choice);
   add_parsed(
       *command, "--on", parse_places, [&arguments](const auto& places) { arguments.places = places; },

@@ -9,9 +9,10 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "hex", "Meshes a solid with hexahedra: solves a field on tets, and makes the mesh that follows it");
   HexMeshingOptions& options = arguments.hexahedra.emplace();
-  add_argument(*command, "MODEL", arguments.model,
-               "A STEP, IGES or BREP file, a closed surface in an STL, OBJ, PLY or OFF file, or a tet mesh "
-               "(Medit .mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu)");
+  add_argument(
+      *command, "MODEL", arguments.model,
+      "A STEP, IGES, BREP or FCStd file, a closed surface in an STL, OBJ, PLY, OFF or 3MF file, or a "
+      "tet mesh (Medit .mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu); any of them also as .gz");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.hexahedra here)");
   CLI::Option* size = add_value(*command, "--size", options.hexahedra.size, "X", fault_of_length,
                                 "Edge of the hexahedra, in model units (default: see --cells)");

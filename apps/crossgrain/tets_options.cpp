@@ -54,7 +54,8 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
       "tets", "Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen");
   TetMakingOptions& options = arguments.options;
   add_argument(*command, "MODEL", arguments.model,
-               "A STEP, IGES or BREP file, or a closed surface in an STL, OBJ, PLY or OFF file");
+               "A STEP, IGES, BREP or FCStd file, or a closed surface in an STL, OBJ, PLY, OFF or 3MF file; "
+               "any of them also as .gz");
   add_value(*command, "-o,--output", arguments.output, "FILE",
             "The .mesh (Medit) or .msh (Gmsh) file to write (default: MODEL-stem.mesh here)");
   add_sizes(*command, options);

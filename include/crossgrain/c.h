@@ -900,7 +900,8 @@ size_t crossgrain_lines_arc_seeds(const crossgrain_lines* lines);
 /** A line; NULL beyond the last. */
 const crossgrain_line* crossgrain_lines_line(const crossgrain_lines* lines, size_t index);
 
-/** Writes lines to a .vtu file. `solve` names the solve of their field, or is NULL (SolveReport::solve). */
+/** Writes lines to a .vtu, .vtp or .obj file. `solve` names the solve of their field, or is NULL
+ * (SolveReport::solve). */
 crossgrain_status crossgrain_lines_write(const crossgrain_lines* lines, const char* path, const char* solve,
                                          crossgrain_monitor* monitor, crossgrain_error** error);
 

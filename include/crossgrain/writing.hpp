@@ -47,14 +47,15 @@ void check_hexahedra_path(const std::filesystem::path& path);
 /// Error(kInterrupted).
 void write_map(const HexMap& map, const std::filesystem::path& path, const Monitor& monitor = {});
 
-/// Writes streamlines as polylines to a .vtu file (docs/streamlines.md), which ParaView opens. The file
-/// appears complete or not at all. `solve` is SolveReport::solve of their field: lines in its folder must
-/// name it. Throws Error(kUsage) for a line whose tangents are not as many as its points or whose seed is not
-/// among them, Error(kOutput) and Error(kInterrupted).
+/// Writes streamlines as polylines in the format of the extension (docs/streamlines.md): VTK (.vtu, or .vtp
+/// as PolyData) with all that is known of them, or the bare lines as OBJ (.obj). The file appears complete or
+/// not at all. `solve` is SolveReport::solve of their field: lines in its folder must name it. Throws
+/// Error(kUsage) for other extensions and for a line whose tangents are not as many as its points or whose
+/// seed is not among them, Error(kOutput) and Error(kInterrupted).
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
                        const Monitor& monitor = {}, const std::string& solve = {});
 
-/// Throws Error(kOutput) if `write_streamlines` could not write; leaves no trace. Call before tracing to fail
+/// Throws what `write_streamlines` would if it could not write; leaves no trace. Call before tracing to fail
 /// early.
 void check_streamline_file(const std::filesystem::path& path);
 

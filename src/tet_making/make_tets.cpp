@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "archives/gzip.hpp"
 #include "base/names.hpp"
 #include "base/system_memory.hpp"
 #include "base/vector3.hpp"
@@ -286,7 +287,7 @@ TetMesh make_tets(const std::filesystem::path& model, const TetMakingTuning& opt
     if (is_tet_file(model))
       throw Error(ErrorKind::kInput, "holds tets already; solve on these, or give a surface or a CAD file");
     if (const auto format = cad_format_of(model))
-      return cad_tets(InputFile(model), *format, options, monitor);
+      return cad_tets(read_unpacked(model), *format, options, monitor);
     return triangle_tets(read_surface(model, ReadOptions(), monitor), options, monitor);
   } catch (const Error& error) {
     const bool is_of_model =

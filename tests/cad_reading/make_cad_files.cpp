@@ -5,6 +5,7 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -22,6 +23,7 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <stdexcept>
 #include <string>
@@ -157,6 +159,12 @@ TopoDS_Shape inside_out() {
   return solid;
 }
 
+/// A disc, which is open.
+TopoDS_Shape disc(const gp_Pnt& centre) {
+  const gp_Circ circle(gp_Ax2(centre, gp_Dir(0, 0, 1)), 5);
+  return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle))).Shape();
+}
+
 /// The faces of a box, all but the first `missing`, as a shell or each by itself.
 TopoDS_Shape faces_of_box(int missing, bool as_shell) {
   const BRep_Builder builder;
@@ -243,6 +251,8 @@ void write_all(const Folder& folder) {
   folder.brep(faces_of_box(0, true), "shell.brep");
   folder.brep(faces_of_box(0, false), "loose.brep");
   folder.brep(faces_of_box(1, true), "open.brep");
+  folder.brep(disc({0, 0, 0}), "face.brep");
+  folder.brep(together(disc({0, 0, 0}), disc({0, 0, 20})), "faces_apart.brep");
   folder.brep(BRepBuilderAPI_MakeFace(gp_Pln()).Shape(), "endless.brep");
   folder.brep(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape(), "curve.brep");
 }

@@ -139,6 +139,19 @@ std::vector<Body> pieces_of(const GluedSolids& glued, const std::vector<Body>& s
   return pieces;
 }
 
+/// Throws Fault if a file has nothing but open faces that meet no other.
+void refuse_faces_alone(const std::vector<Body>& shells) {
+  const auto is_alone = [](const Body& shell) {
+    return !shell.closed && shapes_of(shell.shape, TopAbs_FACE).size() == 1;
+  };
+  if (!std::all_of(shells.begin(), shells.end(), is_alone)) return;
+  throw Fault(shells.size() == 1
+                  ? "has one open face and no solid, and encloses nothing"
+                  : fmt::format("has {} open faces, none of which meets another, and encloses nothing",
+                                shells.size()),
+              Remedy::kCloseSurface);
+}
+
 Warning warning_of(std::size_t solids, const std::vector<Body>& shells) {
   const auto closed =
       std::count_if(shells.begin(), shells.end(), [](const Body& shell) { return shell.closed; });
@@ -181,7 +194,10 @@ Bodies find_bodies(const TopoDS_Shape& shape, const CadReading& options) {
   if (options.glue && distinct.solids.size() > 1)
     glued.emplace(shapes_in(distinct.solids), options.glue_gap * longest_side);
   result.bodies = glued ? pieces_of(*glued, distinct.solids) : distinct.solids;
-  if (!distinct.shells.empty()) result.warnings.push_back(warning_of(solids.size(), distinct.shells));
+  if (!distinct.shells.empty()) {
+    if (solids.empty()) refuse_faces_alone(distinct.shells);
+    result.warnings.push_back(warning_of(solids.size(), distinct.shells));
+  }
   result.bodies.insert(result.bodies.end(), distinct.shells.begin(), distinct.shells.end());
   if (glued || !loose.shells().empty() || distinct.solids.size() < solids.size())
     result.whole = compound_of(result.bodies);

@@ -39,9 +39,7 @@ constexpr std::array kHexFormats{MeshFormat<HexOutput>{".vtu", write_vtu_hexahed
                                  MeshFormat<HexOutput>{".inp", write_abaqus_hexahedra}};
 
 const MeshFormat<HexOutput>& hex_format_of(const std::filesystem::path& path) {
-  return format_of<HexOutput>(path, kHexFormats,
-                              "is no name of a hexahedral mesh that can be written; let it end in .vtu, "
-                              ".mesh, .msh or .inp");
+  return format_of<HexOutput>(path, kHexFormats, "a hexahedral mesh");
 }
 
 }  // namespace
