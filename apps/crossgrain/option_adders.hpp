@@ -58,6 +58,15 @@ inline void add_glue(CLI::App& command, bool& glue) {
   command.add_flag("--glue", glue, "Make the solids of a CAD file share the faces where they touch");
 }
 
+inline void add_unit(CLI::App& command, LengthUnit& unit) {
+  add_parsed(
+      command, "--unit", parse_unit, [&unit](LengthUnit its_unit) { unit = its_unit; },
+      "is not one of um, mm, cm, m, inch, foot",
+      "Unit of a MODEL whose file names none, and so of all lengths and written files: a label, no number "
+      "changes (STEP and IGES files are converted to mm)")
+      ->type_name("um|mm|cm|m|inch|foot");
+}
+
 inline void add_read_seconds(CLI::App& command, double& seconds) {
   add_value(command, "--read-seconds", seconds, "SECONDS", fault_of_length,
             "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)");

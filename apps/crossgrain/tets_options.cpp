@@ -71,6 +71,7 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
             "Edges between faces whose normals differ by more degrees are creases, which stay edges "
             "(default 35)");
   add_glue(*command, options.glue);
+  add_unit(*command, options.unit);
   add_limits(*command, options);
   add_threads(*command, arguments.threads);
   add_quiet(*command, arguments.quiet, arguments.progress);

@@ -86,7 +86,8 @@ class WrongSizes(CommandTest):
         self.assert_fails(self.run_here("solve", "box.stl", "--cell-size", "1"), USAGE, "too large")
 
     def test_what_cannot_fit_into_memory_is_refused_at_once(self):
-        for arguments in (["--resolution", "400000"], ["--cell-size", "1e-300"]):
+        for arguments, code, words in ((["--resolution", "400000"], LIMIT, "lower --resolution"),
+                                       (["--cell-size", "1e-300"], USAGE, "set --cell-size")):
             result = self.run_here("solve", "box.stl", *arguments)
             self.assert_fails(result, LIMIT, "lower --resolution")
             self.assertNotIn("nan", result.stderr)

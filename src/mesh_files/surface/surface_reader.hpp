@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "cad_reading/cad_messages.hpp"
 #include "crossgrain/types.hpp"
@@ -27,6 +28,10 @@ TriangleMesh read_ply(const InputFile& file);
 
 /// Reads Geomview OFF in text, with any colours, normals and texture coordinates (COFF, NOFF, STOFF).
 TriangleMesh read_off(const InputFile& file);
+
+/// Returns a surface with the unit that its file does not name; unchanged for kUnknown. Throws Error(kUsage)
+/// if the file names a unit, and so the surface has another.
+TriangleMesh with_unit(TriangleMesh mesh, LengthUnit unit, const std::string& file);
 
 /// Returns the format of a CAD file by its extension; nothing for other files.
 std::optional<CadFormat> cad_format_of(const std::filesystem::path& path);
