@@ -64,6 +64,15 @@ int exit_code_after(const SolveReport& report) {
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
+/// Says why hexahedra are not what was asked for, and what to do.
+std::string shortfall_of(const HexReport& report) {
+  std::string text = report.outcome == HexOutcome::kFlawed    ? "hexahedra fill it, with a flaw"
+                     : report.outcome == HexOutcome::kPartial ? "hexahedra fill only a part of it"
+                                                              : "no hexahedra fill it";
+  if (!report.reason.empty()) text += ": " + report.reason;
+  return report.remedy.empty() ? text : text + "; try " + report.remedy;
+}
+
 void print_warning(Warning warning, const std::string& model) {
   if (warning.file.empty()) warning.file = model;
   print_message("warning: " + line_of(warning, Command::kSolve));
@@ -404,6 +413,8 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   }
   for (const Warning& warning : report.warnings)
     if (is_always_printed(warning)) print_warning(warning, arguments.model);
+  if (report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex)
+    print_message(arguments.model + ": " + shortfall_of(*report.hexahedra));
   if (!arguments.quiet) print_result(summary_of(report, arguments));
   return exit_code_after(report);
 }
