@@ -10,6 +10,11 @@
 
 namespace crossgrain::app {
 
+/// Adds lines to type, with a remark behind "#" each: `describe_command` takes the footer for these.
+inline void add_examples(CLI::App& command, const char* lines) {
+  command.footer(lines);
+}
+
 /// Adds an argument by its place that must be given.
 template <class T>
 void add_argument(CLI::App& command, const char* name, T& target, const char* help) {
