@@ -22,10 +22,7 @@ constexpr double kBeyondMemory = 1e12;
 /// Elements along the longest side that a user may have meant, when a size is taken in another unit.
 constexpr double kLeastMeant = 4, kMostMeant = 2000;
 
-/// Lines of which `usual_thickness` takes the median. TODO sweep
-constexpr std::size_t kLines = 1000;
-
-/// Start of such a line off the surface, relative to the longest side: beyond rounding.
+/// Start of the lines of `usual_thickness` off the surface, relative to the longest side: beyond rounding.
 constexpr double kStart = 1e-6;
 
 /// A unit that a part may be in while the size is in millimetres, or the other way round.
@@ -104,15 +101,15 @@ void check_asked_size(const AskedSize& asked, const PartSize& part) {
                asked.remedy});
 }
 
-double usual_thickness(const TriangleBvh& bvh) {
+double usual_thickness(const TriangleBvh& bvh, std::size_t lines) {
   const Surface& surface = bvh.surface();
   const double longest = longest_side(surface.box);
   std::vector<double> thicknesses;
-  for (const auto& [place, triangle] : spread_points(surface, kLines)) {
+  for (const auto& [place, triangle] : spread_points(surface, lines)) {
     const auto hit = bvh.first_hit(place, -surface.normals[triangle], kStart * longest, 2 * longest);
     thicknesses.push_back(hit ? hit->t : std::numeric_limits<double>::infinity());
   }
-  const auto middle = thicknesses.begin() + kLines / 2;
+  const auto middle = thicknesses.begin() + static_cast<std::ptrdiff_t>(lines / 2);
   std::nth_element(thicknesses.begin(), middle, thicknesses.end());
   return *middle;
 }

@@ -2,6 +2,7 @@
 // Whether a size that is asked for suits a part: most that do not are in another unit.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "crossgrain/message.hpp"
@@ -37,9 +38,12 @@ void check_asked_size(const AskedSize& asked, const PartSize& part);
 /// Returns a length with its unit: "0.2 mm".
 std::string length_text(double length, const std::string& unit);
 
+/// Lines of which `usual_thickness` takes the median.
+inline constexpr std::size_t kThicknessLines = 1000;
+
 /// Returns the thickness of most of a part: the median, over the area of its surface, of the length of the
 /// line that runs inward along the normal until it leaves the solid. The edge of a cube, the diameter of a
 /// sphere or a rod, the thickness of a plate. Infinite if most lines do not leave.
-double usual_thickness(const TriangleBvh& surface);
+double usual_thickness(const TriangleBvh& surface, std::size_t lines = kThicknessLines);
 
 }  // namespace crossgrain
