@@ -51,6 +51,7 @@ class ModelLine(CommandTest):
             self.assertEqual(report["model"]["unit"], "inch")
         self.first_lines("hex", "box.mesh", "--unit", "m", "--cells", "4", "-o", "out")
         self.assertEqual(json.loads((self.folder / "out/report.json").read_text())["model"]["unit"], "m")
+        self.assertIn("\n** lengths in m\n", (self.folder / "out/hexahedra.inp").read_text())
 
     def test_is_absent_where_nothing_shall_be_printed(self):
         self.assertEqual(self.first_lines("solve", "box.stl", "--resolution", "8", "--quiet"), [])
