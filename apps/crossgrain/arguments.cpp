@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,22 @@ void check_model(AnyArguments& arguments, bool glue, const CLI::App* command, co
   if (!arguments.is_output_named) arguments.output = stem_of_model(arguments.model) + extension;
 }
 
+/// Refuses names of files for the folder that a command writes; `holds` says where the folder has it. A
+/// folder of such a name may be there already.
+void refuse_file_name(const std::string& folder, const char* holds, const CLI::App* command) {
+  static const std::set<std::string> endings = {
+      ".brep", ".brp",  ".bdf",  ".cgns",  ".csv", ".fra", ".html", ".iges", ".igs", ".inp",
+      ".json", ".med",  ".mesh", ".meshb", ".msh", ".nas", ".obj",  ".off",  ".ovm", ".ply",
+      ".png",  ".step", ".stl",  ".stp",   ".txt", ".unv", ".vtk",  ".vtp",  ".vtu", ".xdmf"};
+  const std::string ending = std::filesystem::path(folder).extension().string();
+  std::error_code ignored;
+  if (!endings.contains(CLI::detail::to_lower(ending)) || std::filesystem::is_directory(folder, ignored))
+    return;
+  refuse("'" + folder + "' is the name of a file, and a folder is written, which holds " + holds +
+             "; name it with -o, without " + ending,
+         command);
+}
+
 // Each checks combinations of options.
 
 void check_arguments(TetsArguments& arguments, const CLI::App* command) {
@@ -57,6 +74,7 @@ void check_arguments(TetsArguments& arguments, const CLI::App* command) {
 
 void check_solve(SolveArguments& arguments, const CLI::App* command) {
   check_model(arguments, arguments.glue, command, "the folder of -o", ".frames");
+  refuse_file_name(arguments.output, "the field in field.vtu, and what --write names", command);
   refuse_empty(command, "--onto", arguments.onto, "the file of --onto");
   refuse_empty(command, "--constraints", arguments.constraints, "the file of --constraints");
   if (arguments.makes_tets && is_tet_file(arguments.model))
@@ -80,6 +98,7 @@ void check_hex(SolveArguments& arguments, const CLI::App* command) {
   if (is_tet_file(arguments.model) && command->count("--tet-size") > 0)
     refuse("MODEL is a tet mesh, which --tet-size is not for; give a surface or a CAD file", command);
   check_model(arguments, arguments.glue, command, "the folder of -o", ".hexahedra");
+  refuse_file_name(arguments.output, "the mesh in hexahedra.inp, .mesh, .msh and .vtu", command);
   arguments.makes_tets = !is_tet_file(arguments.model);
 }
 

@@ -40,6 +40,7 @@ struct SolveArguments {
   double read_seconds = ReadOptions().read_seconds;
   bool tells_work = false;  ///< whether several processes tell of the work of each
   bool glue = false;
+  LengthUnit unit = LengthUnit::kUnknown;  ///< of files that name none
   bool quiet = false;
   bool progress = false;
 };

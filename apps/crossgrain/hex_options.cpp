@@ -8,6 +8,10 @@ namespace crossgrain::app {
 CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "hex", "Meshes a solid with hexahedra: solves a field on tets, and makes the mesh that follows it");
+  add_examples(*command,
+               "crossgrain hex part.step --size 2            # writes part.hexahedra\n"
+               "crossgrain hex part.stl --cells 30 --unit mm\n"
+               "crossgrain view part.hexahedra               # shows them");
   HexMeshingOptions& options = arguments.hexahedra.emplace();
   add_argument(
       *command, "MODEL", arguments.model,

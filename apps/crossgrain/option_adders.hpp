@@ -10,6 +10,11 @@
 
 namespace crossgrain::app {
 
+/// Adds lines to type, with a remark behind "#" each: `describe_command` takes the footer for these.
+inline void add_examples(CLI::App& command, const char* lines) {
+  command.footer(lines);
+}
+
 /// Adds an argument by its place that must be given.
 template <class T>
 void add_argument(CLI::App& command, const char* name, T& target, const char* help) {
@@ -56,6 +61,15 @@ inline void add_max_memory(CLI::App& command, std::size_t& bytes, const char* he
 
 inline void add_glue(CLI::App& command, bool& glue) {
   command.add_flag("--glue", glue, "Make the solids of a CAD file share the faces where they touch");
+}
+
+inline void add_unit(CLI::App& command, LengthUnit& unit) {
+  add_parsed(
+      command, "--unit", parse_unit, [&unit](LengthUnit its_unit) { unit = its_unit; },
+      "is not one of um, mm, cm, m, inch, foot",
+      "Unit of a MODEL whose file names none, and so of all lengths and written files: a label, no number "
+      "changes (STEP and IGES files are converted to mm)")
+      ->type_name("um|mm|cm|m|inch|foot");
 }
 
 inline void add_read_seconds(CLI::App& command, double& seconds) {

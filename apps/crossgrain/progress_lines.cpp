@@ -2,7 +2,6 @@
 #include "progress_lines.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <string_view>
 
 #include "crossgrain/message.hpp"
+#include "terminal_width.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -21,9 +21,6 @@ constexpr std::chrono::milliseconds kRewritingInterval{100};
 /// Interval without reports, so that the seconds keep counting.
 constexpr std::chrono::milliseconds kMovingInterval{500};
 
-/// Width of terminals that do not report it.
-constexpr std::size_t kUsualWidth = 80;
-
 bool can_move_lines() {
   const char* const terminal = std::getenv("TERM");
   return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
@@ -32,9 +29,7 @@ bool can_move_lines() {
 /// Queried for every line, since windows change. One less than the width, because some terminals start a new
 /// line after the last column.
 std::size_t room_on_line() {
-  winsize size{};
-  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return (is_known ? size.ws_col : kUsualWidth) - 1;
+  return terminal_width(STDERR_FILENO) - 1;
 }
 
 std::string level_text(const Progress& progress, double seconds) {

@@ -10,12 +10,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/message.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/reading.hpp"
@@ -47,6 +49,8 @@ struct Job {
   const Monitor& monitor;
   std::function<void(const Warning&)> warn = [](const Warning&) {};  ///< of reading, before the solve
   std::function<void()> leave_line = [] {};                          ///< before a line is printed
+  /// Prints what was read, under a name.
+  std::function<void(const char* what, const ModelSummary&)> tell = [](const char*, const ModelSummary&) {};
   Clock::time_point start = Clock::now();
 };
 
@@ -60,9 +64,26 @@ int exit_code_after(const SolveReport& report) {
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
+/// Says why hexahedra are not what was asked for, and what to do.
+std::string shortfall_of(const HexReport& report) {
+  std::string text = report.outcome == HexOutcome::kFlawed    ? "hexahedra fill it, with a flaw"
+                     : report.outcome == HexOutcome::kPartial ? "hexahedra fill only a part of it"
+                                                              : "no hexahedra fill it";
+  if (!report.reason.empty()) text += ": " + report.reason;
+  return report.remedy.empty() ? text : text + "; try " + report.remedy;
+}
+
 void print_warning(Warning warning, const SolveArguments& arguments) {
   if (warning.file.empty()) warning.file = arguments.model;
   print_message("warning: " + line_of(warning, arguments));
+}
+
+TetMesh tets_of_file(const std::string& file, const Job& job) {
+  TetMesh mesh = read_tets(file);
+  if (job.arguments.unit != LengthUnit::kUnknown) mesh.unit = name_of(job.arguments.unit);
+  // With --onto the model is the surface.
+  job.tell(job.arguments.onto.empty() ? "model" : "onto", summary_of(mesh));
+  return mesh;
 }
 
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
@@ -72,6 +93,7 @@ TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
   options.max_memory_bytes = arguments.options.max_memory_bytes;
   options.read_seconds = arguments.read_seconds;
   options.glue = arguments.glue;
+  options.unit = arguments.unit;
   return make_tets(std::filesystem::path(arguments.model), options, monitor);
 }
 
@@ -80,7 +102,7 @@ std::optional<TetDomain> read_domain(const Job& job) {
   const SolveArguments& arguments = job.arguments;
   const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
   if (!solves_tets(arguments) && arguments.onto.empty()) return std::nullopt;
-  TetMesh mesh = arguments.makes_tets ? made_tets(arguments, job.monitor) : read_tets(file);
+  TetMesh mesh = arguments.makes_tets ? made_tets(arguments, job.monitor) : tets_of_file(file, job);
   for (const Warning& warning : mesh.warnings) job.warn(warning);
   return naming(file, [&] {
     const TetDomain domain(std::move(mesh), arguments.tags);
@@ -165,6 +187,7 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
   ReadOptions result = read_options_for(options);
   result.read_seconds = arguments.read_seconds;
   result.glue = arguments.glue;
+  result.unit = arguments.unit;
   return result;
 }
 
@@ -223,6 +246,7 @@ Solved meshed(const Job& job) {
   options.tets.max_memory_bytes = options.solve.max_memory_bytes;
   options.tets.read_seconds = arguments.read_seconds;
   options.tets.glue = arguments.glue;
+  options.tets.unit = arguments.unit;
   options.on_warning = job.warn;
   options.on_expected = [&](const HexExpectation& expected) {
     if (arguments.quiet) return;
@@ -237,7 +261,7 @@ Solved meshed(const Job& job) {
 
 /// Solves, and transfers the field to the tets if there are any, unless a stop comes before that is complete.
 Solved solve_inputs(const Job& job, const Inputs& inputs) {
-  const auto& [arguments, on_grid, monitor, warn, leave_line, begun] = job;
+  const auto& [arguments, on_grid, monitor, warn, leave_line, tell, begun] = job;
   const auto& [options, domain, mesh] = inputs;
   Solved result;
   result.has_tets = domain.has_value();
@@ -366,7 +390,15 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
       }
       lines.show(progress);
     };
-    Monitor monitor(show, expect);
+    const auto tell = [&](const char* what, const ModelSummary& model) {
+      if (arguments.quiet) return;
+      lines.leave_line();
+      print_result(row(what, sentence_of(model)));
+    };
+    bool has_model = false;
+    Monitor monitor(show, expect, [&](const ModelSummary& model) {
+      if (!std::exchange(has_model, true)) tell("model", model);
+    });
     // A field without hexahedra is no part of a mesh.
     if (!together && !arguments.hexahedra) monitor.allow_stops();
     const Interruption interruption(monitor, lines.is_moving());
@@ -376,11 +408,13 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     };
     const auto leave_line = [&lines] { lines.leave_line(); };
     const SolveOnGrid on_grid = together ? together : solve_alone;
-    report = solve_and_write({arguments, on_grid, monitor, warn, leave_line, start}, reservation);
+    report = solve_and_write({arguments, on_grid, monitor, warn, leave_line, tell, start}, reservation);
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)
     if (is_always_printed(warning)) print_warning(warning, arguments);
+  if (report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex)
+    print_message(arguments.model + ": " + shortfall_of(*report.hexahedra));
   if (!arguments.quiet) print_result(summary_of(report, arguments));
   return exit_code_after(report);
 }

@@ -34,6 +34,7 @@ void add_run_options(CLI::App& command, SolveArguments& arguments) {
   command.add_flag("--union", options.unite_solids,
                    "Treat several solids as one: ignore the faces between them");
   add_glue(command, arguments.glue);
+  add_unit(command, arguments.unit);
   add_read_seconds(command, arguments.read_seconds);
 }
 

@@ -13,16 +13,12 @@
 #include "crossgrain/reading.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "messages.hpp"
+#include "output.hpp"
 
 namespace crossgrain::app {
 namespace {
 
 using Angle = std::optional<double>;
-
-/// Returns a line with the width of the summary's first column.
-std::string row(const char* what, const std::string& text) {
-  return fmt::format("{:<10} {}\n", what, text);
-}
 
 std::string answer_rows(const SolveReport& report, const SolveArguments& arguments) {
   std::string text = row("hexahedra", line_of(report.answer));
@@ -129,13 +125,6 @@ std::string hexahedra_rows(const SolveReport& report, const SolveArguments& argu
               : "");
 }
 
-std::string model_row(const SolveReport& report) {
-  std::string text = fmt::format("{}, {}", counted(report.model.triangles, "triangle"),
-                                 report.model.watertight ? "watertight" : "not watertight");
-  if (!report.regions.empty()) text += fmt::format(", {}", counted(report.regions.size(), "solid"));
-  return row("model", text);
-}
-
 std::string cost_row(const SolveReport& report) {
   std::string text = fmt::format("{:.3g} s", report.seconds.total);
   if (report.peak_memory_bytes > 0)
@@ -223,8 +212,8 @@ std::string line_of(const Answer& answer) {
 }
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
-  std::string text = (report.hexahedra ? hexahedra_rows(report, arguments) : answer_rows(report, arguments)) +
-                     model_row(report);
+  std::string text =
+      report.hexahedra ? hexahedra_rows(report, arguments) : answer_rows(report, arguments);
   text += report.onto ? tets_rows(*report.onto) : grid_rows(report);
   text += cost_row(report) + warning_rows(report, arguments);
   text += report.onto ? tets_energy_row(*report.onto) : grid_energy_row(report.energy);
@@ -244,6 +233,7 @@ bool is_of_reading(const Warning& warning) {
     case WarningKind::kMissingFaces:
     case WarningKind::kCurvedTets:
     case WarningKind::kSkippedData:
+    case WarningKind::kThinPart:
       return true;
     default:
       return false;

@@ -23,7 +23,8 @@ std::string line_of(const Answer& answer);
 /// Returns whether the warning says that the energy has not settled.
 bool is_unsettled(const Warning& warning);
 
-/// Returns whether the warning comes from reading a file; it is printed before the solve.
+/// Returns whether the warning comes from reading a file, or from what is asked for: it is printed before the
+/// work.
 bool is_of_reading(const Warning& warning);
 
 /// Returns whether the warning is printed even with --quiet: what was solved differs from the input or the

@@ -319,6 +319,9 @@ crossgrain_status crossgrain_mesh_add_crease(crossgrain_mesh* mesh, const double
 crossgrain_status crossgrain_mesh_add_inner_faces(crossgrain_mesh* mesh, const uint32_t* triangles,
                                                   size_t count, crossgrain_error** error);
 
+/** Sets the unit of the coordinates, such as "mm": a label, no number changes. */
+crossgrain_status crossgrain_mesh_set_unit(crossgrain_mesh* mesh, const char* unit, crossgrain_error** error);
+
 /** The arrays of a surface. Those that belong to triangles are NULL where the mesh has none. */
 size_t crossgrain_mesh_vertex_count(const crossgrain_mesh* mesh);
 size_t crossgrain_mesh_triangle_count(const crossgrain_mesh* mesh);
@@ -352,6 +355,9 @@ crossgrain_status crossgrain_tets_new(const double* vertices, size_t vertex_coun
  */
 crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes, crossgrain_monitor* monitor,
                                        crossgrain_tets** out, crossgrain_error** error);
+
+/** Sets the unit of the coordinates, such as "mm": a label, no number changes. */
+crossgrain_status crossgrain_tets_set_unit(crossgrain_tets* tets, const char* unit, crossgrain_error** error);
 
 /** Cuts the solids of a CAD file or of a closed surface, in a file or in memory, into tets (make_tets), by
  * gmsh or Netgen; `options` of kind CROSSGRAIN_TET_MAKING_OPTIONS, or NULL. */

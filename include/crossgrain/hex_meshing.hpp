@@ -28,9 +28,9 @@ struct HexExpectation {
 struct HexMeshingOptions {
   HexOptions hexahedra;
 
-  /// How tets are made of a model that has none. Without a size their edges are 1.4 times those of the
-  /// hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is less. Their crease angle and
-  /// limit of memory are their own: give those of `solve` too.
+  /// How tets are made of a model that has none; `unit` is for a file of tets too. Without a size their edges
+  /// are 1.4 times those of the hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is
+  /// less. Their crease angle and limit of memory are their own: give those of `solve` too.
   TetMakingOptions tets;
 
   /// How tags of given tets are read.
@@ -57,8 +57,12 @@ struct HexMeshingOptions {
 /// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`. The same
 /// to the bit for any number of threads, with the same program that makes tets.
 ///
-/// Errors: those of `make_tets` or `read_tets`, `solve_onto` and `hexahedra`, naming the file; but if later
-/// tets fail, the result of earlier ones is returned. A stop of the monitor is kInterrupted.
+/// The monitor hears of the model of a file as soon as it is read. Sizes that leave less than two hexahedra
+/// across most of the model are a warning (WarningKind::kThinPart), before the work.
+///
+/// Errors: those of `make_tets` or `read_tets`, `solve_onto` and `hexahedra`, naming the file; kUsage for
+/// hexahedra that are larger than the model, or so small that no memory holds them; but if later tets fail,
+/// the result of earlier ones is returned. A stop of the monitor is kInterrupted.
 Hexahedra make_hexahedra(const std::filesystem::path& model,
                          const HexMeshingOptions& options = HexMeshingOptions(), const Monitor& monitor = {});
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/statistics.hpp"
 
 namespace crossgrain {
@@ -60,11 +61,14 @@ class Monitor {
  public:
   Monitor() = default;
   explicit Monitor(std::function<void(const Progress&)> on_progress,
-                   std::function<void(const Expectation&)> on_expectation = {})
-      : on_progress_(std::move(on_progress)), on_expectation_(std::move(on_expectation)) {}
+                   std::function<void(const Expectation&)> on_expectation = {},
+                   std::function<void(const ModelSummary&)> on_model = {})
+      : on_progress_(std::move(on_progress)),
+        on_expectation_(std::move(on_expectation)),
+        on_model_(std::move(on_model)) {}
 
   /// A monitor for a part of a computation: cancelled and stopped with `whole`, which must outlive it, and
-  /// hears its forecasts and its progress with what `add` tells besides.
+  /// hears its models and forecasts, and its progress with what `add` tells besides.
   Monitor(const Monitor& whole, std::function<void(Progress&)> add);
 
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
@@ -97,6 +101,12 @@ class Monitor {
     if (on_expectation_) on_expectation_(expectation);
   }
 
+  /// Calls the listener with a model whose file was read, before any work with it. A search for hexahedra
+  /// reads its model anew for tets of each size.
+  void tell(const ModelSummary& model) const {
+    if (on_model_) on_model_(model);
+  }
+
   /// Throws Error(kInterrupted) once cancelled.
   void check() const;
 
@@ -109,6 +119,7 @@ class Monitor {
   const Monitor* whole_ = nullptr;
   std::function<void(const Progress&)> on_progress_;
   std::function<void(const Expectation&)> on_expectation_;
+  std::function<void(const ModelSummary&)> on_model_;
 };
 
 /// @}

@@ -36,6 +36,10 @@ struct ReadOptions {
   /// belongs to the smallest. An Error(kInput) if OpenCASCADE cannot do it.
   bool glue = false;
 
+  /// Unit of the coordinates of a file that names none: a label, no number changes. STEP and IGES files that
+  /// name a unit are converted to millimetres; another one here is an Error(kUsage).
+  LengthUnit unit = LengthUnit::kUnknown;
+
   /// Time limit for reading a CAD file, plus 10 s per megabyte of it. OpenCASCADE does not terminate on some
   /// damaged files; sound ones take less than a second, or a few seconds with many thousands of faces.
   double read_seconds = 60;
@@ -66,6 +70,8 @@ ReadOptions read_options_for(const SolveOptions& options);
 /// ends with this call: a crash, a hang or too much memory there is an Error(kInput), as for any damaged
 /// file. Cancelling the monitor kills that process and throws Error(kInterrupted). The result depends only on
 /// the file and the options.
+///
+/// The monitor hears of the model as soon as it is read (Monitor::tell).
 TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options = {},
                           const Monitor& monitor = {});
 

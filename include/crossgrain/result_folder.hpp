@@ -182,7 +182,8 @@ std::optional<std::string> model_of_result(const std::filesystem::path& folder);
 SolveReport report_of_result(const std::filesystem::path& folder);
 
 /// Returns SolveReport::solve that all files of a result name; empty if they name none. Finishes an
-/// interrupted `write_field` first. Throws Error(kInput), naming two files, if they are of different solves.
+/// interrupted `write_field` first. Throws Error(kInput), naming two files, if they are of different solves,
+/// and if there is no such folder.
 std::string solve_of_result(const std::filesystem::path& folder);
 
 /// Returns the names of the files that `write_field` writes with these options for a field on a grid or, with

@@ -23,6 +23,12 @@ struct Box {
   Vector3 high;
 };
 
+/// A unit of length: what the coordinates of a file mean that does not say so.
+enum class LengthUnit : int { kUnknown, kMicrometre, kMillimetre, kCentimetre, kMetre, kInch, kFoot };
+
+/// Returns the name that meshes and reports have: "mm"; "none" for kUnknown.
+const char* name_of(LengthUnit unit);
+
 /// A curve that frames should follow: a polyline with the tangent of the true curve at each of its points.
 struct CreaseCurve {
   std::vector<Vector3> points;
@@ -59,7 +65,7 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> inner_faces = {};
 
   /// Unit of the coordinates, such as "mm", and unit of the file, from which they were converted. Empty if
-  /// the file does not say.
+  /// the file does not say; the first may be set then.
   std::string unit = {};
   std::string file_unit = {};
 
@@ -91,7 +97,7 @@ struct TetMesh {
   std::vector<Edge> feature_edges = {};
   std::vector<Face> feature_faces = {};
 
-  /// As of a TriangleMesh: of tets made of a CAD file.
+  /// As of a TriangleMesh.
   std::string unit = {};
   std::string file_unit = {};
 

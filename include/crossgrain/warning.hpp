@@ -25,6 +25,9 @@ enum class WarningKind : int {
   // Tets that are made.
   kTetMaker,  ///< they were made in another way than usual
 
+  // Hexahedra that are made.
+  kThinPart,  ///< few fit across most of the model
+
   // Tets.
   kRepeatedTets,      ///< duplicates, left out
   kInvertedTets,      ///< reoriented

@@ -23,7 +23,8 @@ Monitor::Monitor(const Monitor& whole, std::function<void(Progress&)> add)
         add(with_more);
         whole.report(with_more);
       }),
-      on_expectation_([&whole](const Expectation& expectation) { whole.expect(expectation); }) {}
+      on_expectation_([&whole](const Expectation& expectation) { whole.expect(expectation); }),
+      on_model_([&whole](const ModelSummary& model) { whole.tell(model); }) {}
 
 void Monitor::check() const {
   if (cancelled()) throw Error(ErrorKind::kInterrupted, "interrupted");

@@ -114,7 +114,8 @@ std::optional<TetDomain> MadeTets::next_domain(const Monitor& monitor, HexAttemp
 std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, const Monitor& monitor,
                                              HexAttempt& attempt) {
   Stopwatch stopwatch;
-  const TetMakingTuning making = tet_options(options_, share);
+  TetMakingTuning making = tet_options(options_, share);
+  making.on_solid = [this](const SearchableSurface& part) { asked_.check(part); };
   ++sizes_;  // also if this fails
   const bool warns = !std::exchange(has_warned_, true);
   TetDomain domain = crossgrain::domain_of([&] { return make_(making, monitor); }, options_, warns, monitor);

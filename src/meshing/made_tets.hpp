@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hex/attempt_queue.hpp"
+#include "meshing/asked_hexahedra.hpp"
 #include "meshing/hexahedra_of_models.hpp"
 
 namespace crossgrain {
@@ -14,9 +15,10 @@ namespace crossgrain {
 /// Attempts at tets of one size after the other, with a field on them: each begins a round.
 class MadeTets : public AttemptKind {
  public:
-  /// The options and the tuning must outlive the object.
-  MadeTets(MakeTets make, const HexMeshingOptions& options, const MeshingTuning& tuning)
-      : make_(std::move(make)), options_(options), tuning_(tuning) {}
+  /// The options, the tuning and what is asked for must outlive the object.
+  MadeTets(MakeTets make, const HexMeshingOptions& options, const MeshingTuning& tuning,
+           AskedHexahedra& asked)
+      : make_(std::move(make)), options_(options), tuning_(tuning), asked_(asked) {}
 
   const char* name() const override { return "tets"; }
   std::optional<Turn> next(const AttemptQueue& queue) const override;
@@ -30,6 +32,7 @@ class MadeTets : public AttemptKind {
   MakeTets make_;
   const HexMeshingOptions& options_;
   const MeshingTuning& tuning_;
+  AskedHexahedra& asked_;
   std::size_t sizes_ = 0;   ///< that were tried
   std::size_t at_ = 0;      ///< the next of MeshingTuning::tet_shares
   double large_share_ = 0;  ///< finer sizes than this have too many tets

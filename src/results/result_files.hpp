@@ -21,6 +21,9 @@ std::vector<std::string> all_result_files();
 /// Returns false if there is certainly no such file. If the system does not tell, reading it will say why.
 bool may_exist(const std::filesystem::path& path);
 
+/// Throws Error(kInput) unless there is a folder of this name.
+void check_is_folder(const std::filesystem::path& folder);
+
 /// Returns whether a file has the mark that the files of this library carry, pictures included; those of
 /// formats without comments do not (docs/field-file.md).
 bool is_own_file(const std::filesystem::path& path);

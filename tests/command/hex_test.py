@@ -135,6 +135,9 @@ class HexTest(CommandTest):
         self.assertTrue(made["remedy"])
         self.assertTrue(all(np.isfinite(place).all() for place in made["places"]))
         self.assertRegex(self.result.stdout, r"hexahedra  (none|partial).*: no map: .* at .*; try ")
+        self.hexahedra("fan.mesh", "--cells", "5", "--quiet", code=NOT_ALL_HEX)
+        self.assertEqual(self.result.stdout, "")
+        self.assertRegex(self.result.stderr, r"\Acrossgrain: fan.mesh: (no hexahedra fill it|hexahedra fill only a part of it): .*; try .*\n\Z")
 
     def test_warnings_about_the_model_come_before_the_work(self):
         vertices, tets = tet_box()

@@ -11,6 +11,7 @@
 #include "archives/gzip.hpp"
 #include "cad_reading/cad_reader.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "files/read_memory.hpp"
 #include "mesh_files/tets/tet_reader.hpp"
@@ -110,7 +111,7 @@ TriangleMesh read_unwelded(const std::filesystem::path& path, const CadReading& 
   const InputFile file = read_unpacked(path);
   if (format == nullptr) fail_unknown_extension(file, extension);
   try {
-    return format->read(file, options, monitor);
+    return with_unit(format->read(file, options, monitor), options.unit, file.name());
   } catch (const Error&) {
     const FileSignature* signature = signature_of(file.bytes());
     if (signature != nullptr && is_read_by(*format, *signature)) throw;
@@ -134,6 +135,19 @@ bool is_cad_file(const std::filesystem::path& path) {
   return cad_format_of(path).has_value();
 }
 
+TriangleMesh with_unit(TriangleMesh mesh, LengthUnit unit, const std::string& file) {
+  if (unit == LengthUnit::kUnknown) return mesh;
+  if (!mesh.file_unit.empty() && mesh.unit != name_of(unit))
+    throw Error(ErrorKind::kUsage,
+                {file, "",
+                 fmt::format("names its unit, {}, and is read in {}; the unit {} is for files that name none",
+                             mesh.file_unit, mesh.unit, name_of(unit))});
+  mesh.unit = name_of(unit);
+  std::erase_if(mesh.warnings,
+                [](const Warning& warning) { return warning.kind == WarningKind::kUnknownUnit; });
+  return mesh;
+}
+
 ReadOptions read_options_for(const SolveOptions& options) {
   ReadOptions result;
   result.resolution = options.resolution;
@@ -151,7 +165,9 @@ TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& 
 TriangleMesh read_surface(const std::filesystem::path& path, const CadReading& options,
                           const Monitor& monitor) {
   const ReadLimits limits(monitor, options.max_memory_bytes);
-  return weld(read_unwelded(path, options, monitor));
+  TriangleMesh mesh = weld(read_unwelded(path, options, monitor));
+  monitor.tell(summary_of(mesh));
+  return mesh;
 }
 
 }  // namespace crossgrain
