@@ -81,6 +81,9 @@ enum class Remedy : int {
   kTakeLargerTets,
   kFreeTemporarySpace,
 
+  // Hexahedra.
+  kTakeSmallerHexahedra,
+
   // Options.
   kRaiseResolution,
   kLowerResolution,

@@ -76,6 +76,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kTakeLargerTets, "take_larger_tets", "take larger tets"},
     {Remedy::kFreeTemporarySpace, "free_temporary_space",
      "free some space there, or name another folder in TMPDIR"},
+    {Remedy::kTakeSmallerHexahedra, "take_smaller_hexahedra", "take smaller hexahedra"},
     {Remedy::kRaiseResolution, "raise_resolution", "raise the resolution, or take smaller cells"},
     {Remedy::kLowerResolution, "lower_resolution", "lower the resolution, or take larger cells"},
     {Remedy::kUseLessMemory, "use_less_memory",

@@ -54,7 +54,8 @@ inline constexpr std::array kOptionNames<TetMaker>{"automatic", "gmsh", "netgen"
 template <>
 inline constexpr std::array kOptionNames<ForeignFiles>{"refuse", "keep", "replace"};
 template <>
-inline constexpr std::array kOptionNames<PictureColour>{"none", "alignment", "energy", "class", "region"};
+inline constexpr std::array kOptionNames<PictureColour>{"none",  "alignment", "energy",
+                                                        "class", "region",    "face"};
 template <>
 inline constexpr std::array kOptionNames<PictureFrames>{"lines", "boxes", "crosses", "none"};
 template <>
