@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "base/vector3.hpp"
 #include "measure/hex_faces.hpp"
 #include "support/shapes.hpp"
+#include "surface/surface.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
