@@ -95,8 +95,8 @@ void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
                        "Draw the hexahedra that 'crossgrain hex' has written to the folder instead, coloured "
                        "by scaled Jacobian; a cut removes whole ones");
   const std::vector<const CLI::Option*> of_fields{
-      command.get_option("--field"), command.get_option("--streamlines"), command.get_option("--colour"),
-      command.get_option("--range"), command.get_option("--frames")};
+      command.get_option("--field"), command.get_option("--streamlines"), command.get_option("--range"),
+      command.get_option("--frames")};
   command.parse_complete_callback([hexahedra, of_fields] {
     if (hexahedra->count() == 0) return;
     for (const CLI::Option* option : of_fields)
@@ -108,15 +108,17 @@ void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
 }
 
 void add_looks(CLI::App& command, PictureOptions& options) {
-  add_choice(command, "--colour,--color", options.colour,
-             {{"none", PictureColour::kNone},
-              {"alignment", PictureColour::kAlignment},
-              {"energy", PictureColour::kEnergy},
-              {"class", PictureColour::kConstraint},
-              {"region", PictureColour::kRegion}},
-             "Colour the surface by its angle to the nearest axis, by energy density, by constraint class or "
-             "by region",
-             "none|alignment|energy|class|region");
+  add_choice(
+      command, "--colour,--color", options.colour,
+      {{"none", PictureColour::kNone},
+       {"alignment", PictureColour::kAlignment},
+       {"energy", PictureColour::kEnergy},
+       {"class", PictureColour::kConstraint},
+       {"region", PictureColour::kRegion},
+       {"face", PictureColour::kFace}},
+      "Colour the surface by its angle to the nearest axis, by energy density, by constraint class, by "
+      "region or by face of the model, with numbers; hexahedra by 'face' only",
+      "none|alignment|energy|class|region|face");
   add_parsed(
       command, "--range", parse_range, [&options](const auto& range) { options.range = range; },
       "is not two numbers separated by a comma, the lower one first",

@@ -73,6 +73,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kAllowTetTime,
      "take larger tets with --tet-size, or allow more time with 'crossgrain tets --seconds'", For::kSolve},
     {Remedy::kChangeTetSize, "take another --size, or the other program with --by", For::kTets},
+    {Remedy::kTakeSmallerHexahedra, "take smaller hexahedra with --size or --cells", For::kSolve},
     {Remedy::kChangeTetSize, "take another size with --tet-size", For::kSolve},
 };
 

@@ -72,12 +72,16 @@ struct HexReport {
   /// closed surface.
   std::size_t crowded_faces = 0, open_edges = 0, pinched_vertices = 0;
 
+  /// What the hexahedra are measured against: the model as given. Volume and area of a CAD model are exact.
+  ModelSource model{};
   double volume = 0, model_volume = 0;
   double area = 0, model_area = 0;
 
-  /// From vertices of the boundary to the surface of the model, and from vertices and centroids of that
-  /// surface to the boundary.
+  /// From vertices of the boundary to the triangles of the model, and from vertices and centroids of these,
+  /// and vertices of the tets' boundary, to the boundary; each with the place of the largest. Triangles of a
+  /// CAD model are within 0.02 % of its longest side of the true faces.
   double largest_distance = 0, mean_distance = 0, largest_distance_of_model = 0;
+  Vector3 largest_distance_place{0, 0, 0}, largest_distance_of_model_place{0, 0, 0};
 
   /// Faces between hexahedra of different regions, and the largest distance of their vertices from where
   /// regions of the model meet.

@@ -61,6 +61,10 @@ enum class WarningKind : int {
   kVerticesOutside,     ///< vertices of the tet mesh lie in no cell
   kOtherModel,          ///< the solve started from a field of another model
 
+  // Hexahedra.
+  kFacesWithoutQuads,  ///< faces of the model have none
+  kPoorFit,            ///< they miss much of the model's volume, or are far from its surface
+
   // What is written.
   kClipMissed,   ///< no cell touches the box
   kLeftOutTets,  ///< files number tets without those that were left out

@@ -16,7 +16,8 @@ constexpr std::array kNames{
     "stray_tags", "listed_topology", "refused_splits", "surface_finding", "overlapping_solids",
     "touching_solids", "empty_solids", "crossed_interfaces", "crowded_corners", "knife_edges", "unfinished",
     "memory_limited", "thin_walls", "excluded_surface", "not_settled", "tets_not_settled",
-    "constraints_outside", "vertices_outside", "other_model", "clip_missed", "left_out_tets", "not_finite",
+    "constraints_outside", "vertices_outside", "other_model", "faces_without_quads", "poor_fit",
+    "clip_missed", "left_out_tets", "not_finite",
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "base/stopwatch.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
+#include "hex/model_fit.hpp"
 #include "hex/work.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
@@ -50,9 +51,9 @@ MadeHexahedra made_of(const FollowedField& followed, const FollowingMap& followi
   for (const HexSide& side : topology.boundary) made.mesh.boundary.push_back({side.vertices, 0});
   made.quality = quality_of(made.mesh);
   const TetSolid& solid = followed.solid();
-  made.fills =
-      close_on_the_surface(following.extracted, topology, following.feet) &&
-      largest_distance_to(made.mesh, {solid.mesh.vertices, solid.boundary}) <= tuning.largest_gap * size;
+  made.fills = close_on_the_surface(following.extracted, topology, following.feet) &&
+               farthest_from(made.mesh, points_on(solid.mesh.vertices, solid.boundary)).distance <=
+                   tuning.largest_gap * size;
   const double model_volume = volume_of(solid.mesh);
   made.is_coarse =
       static_cast<double>(mesh.hexahedra.size()) < kLeastShare * model_volume / std::pow(asked_size, 3);

@@ -4,60 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "base/names.hpp"
-#include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "hex/field_mapping.hpp"
+#include "hex/model_fit.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
-#include "surface/bvh.hpp"
-#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// Each face as four triangles around its centroid.
-TriangleMesh triangles_of(const HexMesh& mesh) {
-  TriangleMesh triangles;
-  triangles.vertices = mesh.vertices;
-  for (const HexMesh::Face& face : mesh.boundary) {
-    Vector3 centre{0, 0, 0};
-    for (const std::uint32_t v : face.vertices) centre += 0.25 * mesh.vertices[v];
-    const auto middle = static_cast<std::uint32_t>(triangles.vertices.size());
-    triangles.vertices.push_back(centre);
-    for (std::size_t k = 0; k < 4; ++k)
-      triangles.triangles.push_back({face.vertices[k], face.vertices[(k + 1) % 4], middle});
-  }
-  return triangles;
-}
-
-std::vector<double> distances_to(const TriangleBvh& tree, const std::vector<Vector3>& points) {
-  std::vector<double> distances(points.size());
-  parallel_for(points.size(),
-               [&](std::size_t k) { distances[k] = std::sqrt(tree.nearest(points[k]).squared_distance); });
-  return distances;
-}
-
-void measure_distances(const HexMesh& mesh, const Surface& model, HexReport& report) {
-  std::vector<std::uint32_t> used;
-  for (const HexMesh::Face& face : mesh.boundary)
-    used.insert(used.end(), face.vertices.begin(), face.vertices.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  std::vector<Vector3> points;
-  for (const std::uint32_t v : used) points.push_back(mesh.vertices[v]);
-  const std::vector<double> distances = distances_to(TriangleBvh(model), points);
-  report.largest_distance = *std::max_element(distances.begin(), distances.end());
-  report.mean_distance =
-      std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
-
-  report.largest_distance_of_model = largest_distance_to(mesh, model.mesh);
-}
 
 std::vector<Vector3> places_of_faults(const SolveReport::Singularity& graph) {
   std::vector<Vector3> places;
@@ -86,21 +44,6 @@ std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<do
 }
 
 }  // namespace
-
-double largest_distance_to(const HexMesh& mesh, const TriangleMesh& surface) {
-  std::vector<Vector3> points;
-  for (const auto& triangle : surface.triangles) {
-    Vector3 centroid{0, 0, 0};
-    for (const std::uint32_t v : triangle) {
-      points.push_back(surface.vertices[v]);
-      centroid += (1.0 / 3) * surface.vertices[v];
-    }
-    points.push_back(centroid);
-  }
-  const Surface own = prepare_surface(CheckedMesh::derived(triangles_of(mesh)));
-  const std::vector<double> distances = distances_to(TriangleBvh(own), points);
-  return distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
-}
 
 HexReport::Quality quality_of(const HexMesh& mesh) {
   HexReport::Quality quality;
@@ -132,16 +75,7 @@ void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
   report.inner_valences = topology.inner_valences;
   report.boundary_valences = topology.boundary_valences;
   report.quality = quality_of(mesh);
-  const std::vector<double> volumes = volumes_of(mesh);
-  report.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-  report.area = boundary_area(mesh);
-  report.model_volume = volume_of(model.mesh);
-  TriangleMesh surface;
-  surface.vertices = model.mesh.vertices;
-  surface.triangles = model.boundary;
-  const Surface prepared = prepare_surface(CheckedMesh::derived(std::move(surface)));
-  report.model_area = std::accumulate(prepared.areas.begin(), prepared.areas.end(), 0.0);
-  if (!mesh.boundary.empty()) measure_distances(mesh, prepared, report);
+  measure_fit(mesh, model, report);
 }
 
 void explain(const HexCandidate& best, HexReport& report) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -14,6 +16,7 @@
 #include "hex/hex_making.hpp"
 #include "hex/hex_map.hpp"
 #include "hex/hex_report.hpp"
+#include "hex/model_fit.hpp"
 #include "hex/solid_judgement.hpp"
 #include "solve/tet_domain_data.hpp"
 
@@ -36,6 +39,15 @@ void add_tags(const TetSolid& solid, const MapSurface& surface, const std::vecto
                                                                    : surface.nearest(feet[*of_face], centre);
     face.tag = tags[place.face];
   }
+}
+
+/// Adds the quads of faces, and what they and the fit say of hexahedra that fill the model.
+void add_faces(const HexMesh& mesh, const TetSolid& solid, const HexReport& report, SolveReport& whole) {
+  count_quads(mesh, whole.faces);
+  if (report.outcome == HexOutcome::kPartial || report.outcome == HexOutcome::kNone) return;
+  for (std::optional<Warning>& warning :
+       std::array{faces_without_quads(whole.faces, solid, report.used_size), poor_fit(report)})
+    if (warning) whole.warnings.push_back(std::move(*warning));
 }
 
 void check_options(const HexOptions& options) {
@@ -77,6 +89,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.extraction_seconds = seconds.extraction;
   report.smoothing_seconds = seconds.smoothing;
   report.analysis_seconds = stopwatch.restart();
+  add_faces(mesh, followed.solid(), report, whole);
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
   whole.hexahedra = std::move(report);
   return {std::move(mesh), field.with_report(std::move(whole)), std::move(map)};

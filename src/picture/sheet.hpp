@@ -31,6 +31,9 @@ bool shows(const PictureOptions& options, PicturePart part);
 /// The direction from which the options ask to see the model.
 ViewDirection direction_of(const PictureOptions& options);
 
+/// Size of the letters of labels, in that of the legend's.
+inline constexpr double kLabelSize = 0.85;
+
 /// The positions of the part, the legend and the axes.
 struct Sheet {
   double text_size, margin;

@@ -54,6 +54,12 @@ void describe(File& file, Model& model) {
   file.text("file_unit", model.file_unit);
 }
 
+template <class File, MaybeConst<ModelFace> Face>
+void describe(File& file, Face& face) {
+  file.member("number", face.number);
+  CROSSGRAIN_MEMBERS(face, kind, area, centre, solids, quads)
+}
+
 CROSSGRAIN_DESCRIBE(LevelStatistics, depth, cells, active_cells, sweeps, energy, seconds)
 CROSSGRAIN_DESCRIBE(SolveReport::Energy, smoothness, boundary, unavoidable, total, deviation_max)
 CROSSGRAIN_DESCRIBE(SolveReport::Alignment, mean, p95, max, excluded_share)
@@ -156,8 +162,9 @@ void describe(File& file, Report& hexahedra) {
   file.text("reason", hexahedra.reason);
   file.text("remedy", hexahedra.remedy);
   CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, hexahedra, vertices, bodies, is_coarse, left_out,
-                     crowded_faces, open_edges, pinched_vertices, volume, model_volume, area, model_area,
-                     largest_distance, mean_distance, largest_distance_of_model, interface_faces,
+                     crowded_faces, open_edges, pinched_vertices, model, volume, model_volume, area,
+                     model_area, largest_distance, largest_distance_place, mean_distance,
+                     largest_distance_of_model, largest_distance_of_model_place, interface_faces,
                      largest_interface_distance)
   file.member("scaled_jacobian", hexahedra.quality);
   file.member("scaled_jacobian_before", hexahedra.quality_before);
@@ -185,6 +192,7 @@ void describe(File& file, Value& warning) {
 
 template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
+  file.optional_list("faces", report.faces);
   CROSSGRAIN_MEMBERS(report, input, creases)
   file.optional_list("regions", report.regions);
   CROSSGRAIN_MEMBERS(report, interfaces, constraints, walls, decision, coarser, expected, limited, unfinished,

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes small CAD files, whose measures are known, to a folder: make_cad_files FOLDER
 #include <BOPAlgo_Builder.hxx>
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
@@ -39,6 +42,20 @@ TopoDS_Shape box(const gp_Pnt& low, const gp_Pnt& high) {
 TopoDS_Shape plate() {
   const gp_Ax2 axis(gp_Pnt(20, 15, -1), gp_Dir(0, 0, 1));
   return BRepAlgoAPI_Cut(box({0, 0, 0}, {40, 30, 10}), BRepPrimAPI_MakeCylinder(axis, 5, 12).Shape()).Shape();
+}
+
+/// 40 by 30 by 12 with a chamfer of .4 along an edge of its top.
+TopoDS_Shape chamfered_block() {
+  const TopoDS_Shape sharp = box({0, 0, 0}, {40, 30, 12});
+  BRepFilletAPI_MakeChamfer chamfer(sharp);
+  for (TopExp_Explorer edges(sharp, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+    const gp_Pnt middle = BRepAdaptor_Curve(edge).Value(15);
+    if (middle.Distance({0, 15, 12}) > 1e-6) continue;
+    chamfer.Add(0.4, edge);
+    break;
+  }
+  return chamfer.Shape();
 }
 
 /// 20 by 20 by 20, all edges rounded with radius 3.
@@ -224,6 +241,8 @@ void write_all(const Folder& folder) {
   folder.step(BRepPrimAPI_MakeCylinder(axis, 5, 20).Shape(), "cylinder.step", "MM");
   folder.brep(BRepPrimAPI_MakeCone(axis, 5, 0, 10).Shape(), "cone.brep");
   folder.brep(BRepPrimAPI_MakeSphere(axis, 5).Shape(), "sphere.brep");
+  folder.step(BRepPrimAPI_MakeTorus(10, 2).Shape(), "ring.step", "MM");
+  folder.step(chamfered_block(), "chamfered.step", "MM");
   folder.brep(rounded_box(), "rounded.brep");
   folder.brep(glued_boxes(), "glued.brep");
   folder.step(glued_boxes(), "glued.step", "MM");

@@ -102,6 +102,25 @@ TEST_F(HexPicture, IsAnotherForEveryOption) {
   EXPECT_EQ(contents.size(), 8u);
 }
 
+TEST_F(HexPicture, ByFaceHasTheColoursAndNumbersOfTheModelsFaces) {
+  HexMesh mesh = made_bricks({4, 3, 2}, {4, 3, 2});
+  std::set<std::string> contents{content_of(drawn(mesh))};
+  options.colour = PictureColour::kFace;
+  EXPECT_EQ(legend(mesh).find("Scaled Jacobian"), std::string::npos);
+  EXPECT_NE(legend(mesh).find("Faces (6)"), std::string::npos) << legend(mesh);
+  contents.insert(content_of(drawn(mesh)));
+  for (HexMesh::Face& face : mesh.boundary) face.tag = 3;
+  contents.insert(content_of(drawn(mesh)));
+  EXPECT_EQ(contents.size(), 3u);
+}
+
+TEST_F(HexPicture, ByFaceNeedsTagsOfFaces) {
+  HexMesh mesh = made_bricks({4, 3, 2}, {4, 3, 2});
+  for (HexMesh::Face& face : mesh.boundary) face.tag = 0;
+  options.colour = PictureColour::kFace;
+  EXPECT_EQ(error(mesh).first, ErrorKind::kInput);
+}
+
 /// Hexahedra behind the plane as seen, counted from their corners.
 std::size_t count_behind(const HexMesh& mesh, std::size_t axis, double position, bool keeps_high) {
   std::size_t count = 0;
