@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -52,7 +51,7 @@ void run_tets(const TetsArguments& arguments) {
   const ThreadLimit limit(arguments.threads);
   TetMesh mesh;
   {
-    ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
+    ProgressLines lines(arguments.progress, arguments.quiet);
     Monitor monitor([&lines](const Progress& progress) { lines.show(progress); });
     const Interruption interruption(monitor, lines.is_moving());
     mesh = make_tets(std::filesystem::path(arguments.model), arguments.options, monitor);

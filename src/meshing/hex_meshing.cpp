@@ -25,8 +25,11 @@ Hexahedra made_by_attempts(const Begin& begin, const HexMeshingOptions& options,
   const ThreadLimit limit(options.solve.threads);
   Stopwatch stopwatch;
   double tet_seconds = 0;
-  Hexahedra made = best_of_attempts([&](AttemptQueue& queue) { tet_seconds = begin(queue); },
-                                    options.hexahedra, tuning, monitor);
+  const auto begin_heard = [&](AttemptQueue& queue) {
+    queue.hear_ends(options.on_attempt_end);
+    tet_seconds = begin(queue);
+  };
+  Hexahedra made = best_of_attempts(begin_heard, options.hexahedra, tuning, monitor);
   SolveReport report = made.field.report();
   for (const HexAttempt& attempt : report.hexahedra->attempts) tet_seconds += attempt.tet_seconds;
   report.seconds.read = tet_seconds;
@@ -42,7 +45,7 @@ Hexahedra in_tets(const Make& make, const HexMeshingOptions& options, const Moni
     Stopwatch stopwatch;
     const TetDomain domain = make();
     const double seconds = stopwatch.restart();
-    queue.start_on(solved_on(domain, options, queue.monitor()));
+    queue.start_on(solved_on(domain, options, queue));
     return seconds;
   };
   return made_by_attempts(begin, options, HexTuning(), monitor);
