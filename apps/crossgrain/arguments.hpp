@@ -17,6 +17,10 @@
 
 namespace crossgrain::app {
 
+/// How progress is shown on standard error: as lines where it is a terminal, as lines in any case, or as
+/// JSON, a line an event.
+enum class ProgressForm { kOnTerminal, kLines, kJson };
+
 struct SolveArguments {
   std::string model;
   std::string output;            ///< folder to write; never empty
@@ -42,7 +46,7 @@ struct SolveArguments {
   bool glue = false;
   LengthUnit unit = LengthUnit::kUnknown;  ///< of files that name none
   bool quiet = false;
-  bool progress = false;
+  ProgressForm progress = ProgressForm::kOnTerminal;
 };
 
 /// Whether the model is solved as tets, read or made.
@@ -55,7 +59,7 @@ struct TetsArguments {
   TetMakingOptions options;
   int threads = 0;
   bool quiet = false;
-  bool progress = false;
+  ProgressForm progress = ProgressForm::kOnTerminal;
 };
 
 struct SampleArguments {

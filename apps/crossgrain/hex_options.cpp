@@ -29,6 +29,9 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
   add_run_options(*command, arguments);
   add_keep_tags(*command, arguments.tags);
   add_formats(*command, arguments.output_options, /*has_map=*/true);
+  command->add_flag("--inverted", arguments.output_options.inverted_hexahedra,
+                    "Write files for solvers (.inp, .msh, .mesh) even if a hexahedron is inverted, which "
+                    "solvers do not say");
   add_talk(*command, arguments);
   return command;
 }

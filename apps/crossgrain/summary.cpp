@@ -147,9 +147,7 @@ std::string tets_energy_row(const SolveReport::Onto& onto) {
 }
 
 std::string files_row(const SolveReport& report, const SolveArguments& arguments) {
-  OutputOptions written = arguments.output_options;
-  if (report.hexahedra) written.hexahedra = std::make_shared<const HexMesh>();
-  std::vector<std::string> names = result_files(written, report.onto.has_value());
+  std::vector<std::string> names = result_files(arguments.output_options, report);
   if (arguments.page) names.insert(names.begin(), kPageFile);
   for (std::string& name : names)
     if (name == kCellsFile && is_in_pieces(arguments.output)) name = kPiecesFile;

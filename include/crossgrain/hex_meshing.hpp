@@ -10,6 +10,7 @@
 #include "crossgrain/tet_domain.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/types.hpp"
+#include "crossgrain/verdict.hpp"
 #include "crossgrain/warning.hpp"
 
 namespace crossgrain {
@@ -21,7 +22,7 @@ namespace crossgrain {
 struct HexExpectation {
   std::size_t tets = 0;
   double size = 0;       ///< of the hexahedra, model units
-  double hexahedra = 0;  ///< the volume in cubes of that size
+  double hexahedra = 0;  ///< about their number: most often within a factor of two
 };
 
 /// How a model is meshed with hexahedra.
@@ -43,8 +44,15 @@ struct HexMeshingOptions {
   /// it too.
   std::function<void(const Warning& warning)> on_warning;
 
-  /// Hears what is to be expected, before each solve.
+  /// Hears what is to be expected, once, before the first solve.
   std::function<void(const HexExpectation& expected)> on_expected;
+
+  /// Hears the answer about the first field, before its repair: what stands in the way of hexahedra. A repair
+  /// may change any of it.
+  std::function<void(const Answer& answer)> on_answer;
+
+  /// Hears of the end of each attempt at a mesh.
+  std::function<void(const HexAttemptEnd& end)> on_attempt_end;
 };
 
 /// Returns hexahedra that fill a model: cuts it into tets (`make_tets`) unless its file has tets, solves on
@@ -62,7 +70,8 @@ struct HexMeshingOptions {
 ///
 /// Errors: those of `make_tets` or `read_tets`, `solve_onto` and `hexahedra`, naming the file; kUsage for
 /// hexahedra that are larger than the model, or so small that no memory holds them; but if later tets fail,
-/// the result of earlier ones is returned. A stop of the monitor is kInterrupted.
+/// the result of earlier ones is returned. If the monitor allows stops, a stop returns the best mesh so far
+/// (HexReport::is_stopped); it is kInterrupted otherwise, and if there is none.
 Hexahedra make_hexahedra(const std::filesystem::path& model,
                          const HexMeshingOptions& options = HexMeshingOptions(), const Monitor& monitor = {});
 

@@ -24,6 +24,11 @@ enum class HexOutcome : int {
 /// Returns a name for files and scripts: "all-hex".
 const char* name_of(HexOutcome outcome);
 
+/// Whether there is no mesh of the whole model: files then bear "partial" (HexMesh::is_partial).
+inline bool is_partial(HexOutcome outcome) {
+  return outcome == HexOutcome::kPartial || outcome == HexOutcome::kNone;
+}
+
 /// One attempt of a search for hexahedra.
 struct HexAttempt {
   std::string kind;        ///< "tets", "repair", "part of the model", "smaller hexahedra"
@@ -62,6 +67,7 @@ struct HexReport {
   std::vector<Vector3> places;  ///< where: of what `reason` counts, the worst first, at most kMostPlaces
   double size = 0;              ///< of the hexahedra that were asked for
   double used_size = 0;
+  double expected = 0;  ///< number of hexahedra of `size`, as forecast before the work
 
   std::size_t hexahedra = 0, vertices = 0;
   std::size_t bodies = 0;    ///< sets of hexahedra connected over faces
@@ -104,6 +110,7 @@ struct HexReport {
 
   std::vector<HexAttempt> attempts;  ///< all, in the order in which they were made
   std::size_t best_attempt = 0;      ///< that made the mesh
+  bool is_stopped = false;           ///< by Monitor::stop: the best of those that had ended by then
 
   /// Seconds of the steps of all attempts: repairs, maps, extraction, smoothing; and of the numbers above.
   double repair_seconds = 0, map_seconds = 0, extraction_seconds = 0, smoothing_seconds = 0,

@@ -29,13 +29,18 @@ void write_tets(const TetMesh& mesh, const std::filesystem::path& path, const Mo
 /// early.
 void check_tets_output(const std::filesystem::path& path);
 
+/// Whether files for solvers may hold inverted hexahedra.
+enum class InvertedHexahedra { kRefused, kAllowed };
+
 /// Writes hexahedra in the format of the extension (docs/formats.md): VTK (.vtu) with their scaled Jacobian
 /// and region; Medit (.mesh), Gmsh 4.1 (.msh) or Abaqus and CalculiX (.inp) with regions and with the
-/// boundary by its tags. Vertices and hexahedra keep their order. The file appears complete or not at all.
-/// Throws Error(kUsage) for other extensions, and for a mesh with corners that are no vertices, with a region
-/// for some hexahedra only or with boundary faces that are no faces of hexahedra; Error(kOutput) and
-/// Error(kInterrupted).
-void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor = {});
+/// boundary by its tags. Vertices and hexahedra keep their order; the head of a partial mesh says that it is
+/// one. The file appears complete or not at all. Throws Error(kUsage) for other extensions; for a mesh with
+/// corners that are no vertices, with a region for some hexahedra only or with boundary faces that are no
+/// faces of hexahedra; and for inverted hexahedra in any format but .vtu unless they are allowed, since
+/// solvers give wrong results on them without a word. Error(kOutput) and Error(kInterrupted).
+void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor = {},
+                     InvertedHexahedra inverted = InvertedHexahedra::kRefused);
 
 /// Throws what `write_hexahedra` would if it could not write; leaves no trace. Call before making hexahedra
 /// to fail early.

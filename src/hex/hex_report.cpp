@@ -120,4 +120,22 @@ void explain(const HexCandidate& best, HexReport& report) {
                                at[0], at[1], at[2]);
 }
 
+std::string end_of(const HexCandidate& candidate, double least_quality) {
+  HexReport report;
+  report.outcome = candidate.attempt.outcome;
+  if (candidate.made) report.quality = candidate.made->quality;
+  if (report.outcome != HexOutcome::kAllHex) {
+    if (!candidate.followed) return "no mesh";
+    explain(candidate, report);
+    return report.reason + (candidate.unmended.empty() ? "" : ", with any of the repairs");
+  }
+  const std::string what =
+      fmt::format("{} the model", candidate.attempt.hexahedra == 1
+                                      ? "1 hexahedron fills"
+                                      : fmt::format("{} hexahedra fill", candidate.attempt.hexahedra));
+  if (candidate.made->is_coarse) return what + ", far fewer than asked for";
+  if (report.quality.least >= least_quality) return what;
+  return what + fmt::format(", the worst with a scaled Jacobian of {:.2g}", report.quality.least);
+}
+
 }  // namespace crossgrain

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hex/attempt_queue.hpp"
@@ -22,9 +23,13 @@ class MadeTets : public AttemptKind {
 
   const char* name() const override { return "tets"; }
   std::optional<Turn> next(const AttemptQueue& queue) const override;
+  std::string plan(const AttemptQueue& queue) const override;
+  std::size_t left(const AttemptQueue& queue) const override;
+  bool makes_meshes() const override { return false; }
   std::vector<HexCandidate> make(AttemptQueue& queue) override;
 
  private:
+  std::size_t next_share() const;
   std::optional<TetDomain> next_domain(const Monitor& monitor, HexAttempt& attempt);
   std::optional<TetDomain> domain_of(double share, bool may_be_large, const Monitor& monitor,
                                      HexAttempt& attempt);
@@ -47,7 +52,8 @@ TetDomain prepared(const TetDomain& domain, const HexMeshingOptions& options);
 TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOptions& options, bool warns,
                     const Monitor& monitor);
 
-/// Solves on tets, for a round of the queue.
-StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor);
+/// Solves on tets, for a round of the queue. Of the first, listeners and the queue hear before what is to be
+/// expected, and afterwards the answer about the field.
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue);
 
 }  // namespace crossgrain

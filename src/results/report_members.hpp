@@ -161,14 +161,14 @@ void describe(File& file, Report& hexahedra) {
   file.member("outcome", hexahedra.outcome);
   file.text("reason", hexahedra.reason);
   file.text("remedy", hexahedra.remedy);
-  CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, hexahedra, vertices, bodies, is_coarse, left_out,
-                     crowded_faces, open_edges, pinched_vertices, model, volume, model_volume, area,
+  CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, expected, hexahedra, vertices, bodies, is_coarse,
+                     left_out, crowded_faces, open_edges, pinched_vertices, model, volume, model_volume, area,
                      model_area, largest_distance, largest_distance_place, mean_distance,
                      largest_distance_of_model, largest_distance_of_model_place, interface_faces,
                      largest_interface_distance)
   file.member("scaled_jacobian", hexahedra.quality);
   file.member("scaled_jacobian_before", hexahedra.quality_before);
-  CROSSGRAIN_MEMBERS(hexahedra, inner_valences, boundary_valences, attempts, best_attempt)
+  CROSSGRAIN_MEMBERS(hexahedra, inner_valences, boundary_valences, attempts, best_attempt, is_stopped)
   file.object("seconds", [&](auto& seconds) {
     seconds.member("repair", hexahedra.repair_seconds);
     seconds.member("map", hexahedra.map_seconds);
