@@ -101,6 +101,7 @@ SurfaceSource PreparedModel::solved_surface() && {
   const TriangleMesh& mesh = surface().mesh;
   SolvedSurface released{mesh.vertices, mesh.triangles, crease_lines()};
   if (has_several_solids(mesh_)) released.regions = mesh.solids;
+  released.faces = mesh.faces;
   add_interfaces(interfaces_, inner_faces_.vertices, released);
   const bool is_flipped = searchable_->winding().flipped();
   if (is_flipped) {
