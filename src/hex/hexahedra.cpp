@@ -65,7 +65,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   measure(mesh, followed.solid(), report);
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
-  explain(best, report);
+  explain(best, queue.attempts(), report);
   report.attempts = queue.attempts();
   report.best_attempt = queue.best_attempt();
   const HexSeconds& seconds = queue.seconds();
@@ -77,6 +77,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   SolveReport whole = field.report();
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
   whole.hexahedra = std::move(report);
+  whole.answer.is_meshed = true;
   return {std::move(mesh), field.with_report(std::move(whole)), std::move(map)};
 }
 
