@@ -22,6 +22,16 @@ struct HexExpectation {
   std::size_t tets = 0;
   double size = 0;       ///< of the hexahedra, model units
   double hexahedra = 0;  ///< the volume in cubes of that size
+
+  /// Largest edge of tets that were made; 0 if they were given.
+  struct TetSize {
+    double used = 0;
+
+    /// The size that comes first by the rule of HexMeshingOptions::tets or by its option, and its number of
+    /// tets, if these were so many that a larger size was taken; else 0.
+    double dropped = 0;
+    std::size_t dropped_tets = 0;
+  } tet_size;
 };
 
 /// How a model is meshed with hexahedra.
@@ -29,7 +39,8 @@ struct HexMeshingOptions {
   HexOptions hexahedra;
 
   /// How tets are made of a model that has none. Without a size their edges are 1.4 times those of the
-  /// hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is less. Their crease angle and
+  /// hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is less. Where this first size, or
+  /// the one given, makes more than 50,000 tets, four times the size comes first. Their crease angle and
   /// limit of memory are their own: give those of `solve` too.
   TetMakingOptions tets;
 

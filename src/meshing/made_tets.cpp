@@ -61,11 +61,13 @@ TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOption
   return prepared(TetDomain(std::move(mesh), options.tags), options);
 }
 
-StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor) {
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor,
+                        const HexExpectation::TetSize& made) {
   if (options.on_expected) {
     const HexOptions& of = options.hexahedra;
     const double size = of.size > 0 ? of.size : longest_side(domain.data().box) / of.cells;
-    options.on_expected({domain.mesh().tets.size(), size, volume_of(domain.mesh()) / std::pow(size, 3)});
+    options.on_expected(
+        {domain.mesh().tets.size(), size, volume_of(domain.mesh()) / std::pow(size, 3), made});
   }
   TetFrameField field = solve_onto(domain, options.solve, monitor);
   monitor.check_stop();
@@ -83,7 +85,7 @@ std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
   const std::optional<TetDomain> domain = next_domain(queue.monitor(), made.attempt);
   if (!domain) return {};
   made.attempt.round = queue.rounds();
-  StartingField start = solved_on(*domain, options_, queue.monitor());
+  StartingField start = solved_on(*domain, options_, queue.monitor(), size_);
   start.work_share = kWorkShare;
   queue.start_on(std::move(start));
   made.attempt.work = kTetWork * static_cast<double>(made.attempt.tets);
@@ -119,11 +121,14 @@ std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, co
   const bool is_known = std::any_of(domains_.begin(), domains_.end(),
                                     [&](const TetDomain& other) { return are_same(domain, other); });
   const bool is_large = !may_be_large && attempt.tets > tuning_.large_tets;
+  if (is_large && domains_.empty()) size_ = {0, attempt.tet_size, attempt.tets};
   if (is_large) large_share_ = std::max(large_share_, share);
   if (is_known || is_large) {
     --sizes_;
     return std::nullopt;
   }
+  if (!domains_.empty()) size_ = {};
+  size_.used = attempt.tet_size;
   domains_.push_back(domain);
   return domain;
 }

@@ -34,6 +34,7 @@ class MadeTets : public AttemptKind {
   std::size_t at_ = 0;      ///< the next of MeshingTuning::tet_shares
   double large_share_ = 0;  ///< finer sizes than this have too many tets
   bool has_warned_ = false;
+  HexExpectation::TetSize size_;    ///< of the last tets
   std::vector<TetDomain> domains_;  ///< of all rounds
 };
 
@@ -44,7 +45,8 @@ TetDomain prepared(const TetDomain& domain, const HexMeshingOptions& options);
 TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOptions& options, bool warns,
                     const Monitor& monitor);
 
-/// Solves on tets, for a round of the queue.
-StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor);
+/// Solves on tets, for a round of the queue. The size of tets that were made is told.
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor,
+                        const HexExpectation::TetSize& made = {});
 
 }  // namespace crossgrain
