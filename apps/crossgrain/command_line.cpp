@@ -56,7 +56,6 @@ CommandLineOfProcesses::CommandLineOfProcesses()
   add_value(*solve_command, "--restart", solve.restart, "DIR",
             "Go on from the folder of --checkpoint, on any number of processes; give the same model "
             "and options");
-  solve_command->add_flag("--verbose", solve.tells_work, "Print a table of the work of each process");
 }
 
 }  // namespace crossgrain::app

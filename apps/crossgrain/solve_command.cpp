@@ -60,9 +60,9 @@ int exit_code_after(const SolveReport& report) {
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
-void print_warning(Warning warning, const std::string& model) {
-  if (warning.file.empty()) warning.file = model;
-  print_message("warning: " + line_of(warning, Command::kSolve));
+void print_warning(Warning warning, const SolveArguments& arguments) {
+  if (warning.file.empty()) warning.file = arguments.model;
+  print_message("warning: " + line_of(warning, command_of(arguments)));
 }
 
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
@@ -146,11 +146,19 @@ std::string expected_line(const Expectation& expected) {
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
+/// Returns the size of tets, with the rule if that was not followed.
+std::string text_of(const HexExpectation::TetSize& size) {
+  if (size.used == 0) return "";
+  const std::string text = fmt::format(" of {:.3g} (--tet-size)", size.used);
+  if (size.dropped == 0) return text;
+  return text + fmt::format(", since {:.3g} makes {}", size.dropped, size.dropped_tets);
+}
+
 std::string expected_line(const HexExpectation& expected) {
   const auto hexahedra = static_cast<std::size_t>(std::llround(std::max(1.0, expected.hexahedra)));
-  return fmt::format("expected   about {} of {:.3g}, along a field on {}\n",
+  return fmt::format("expected   about {} of {:.3g}, along a field on {}{}\n",
                      counted(hexahedra, "hexahedron", "hexahedra"), expected.size,
-                     counted(expected.tets, "tet"));
+                     counted(expected.tets, "tet"), text_of(expected.tet_size));
 }
 
 /// Throws if the initial field was clipped, because cells outside it would have poor initial frames.
@@ -372,7 +380,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     const Interruption interruption(monitor, lines.is_moving());
     const auto warn = [&](const Warning& warning) {
       lines.end_line();
-      print_warning(warning, arguments.model);
+      print_warning(warning, arguments);
     };
     const auto leave_line = [&lines] { lines.leave_line(); };
     const SolveOnGrid on_grid = together ? together : solve_alone;
@@ -380,7 +388,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)
-    if (is_always_printed(warning)) print_warning(warning, arguments.model);
+    if (is_always_printed(warning)) print_warning(warning, arguments);
   if (!arguments.quiet) print_result(summary_of(report, arguments));
   return exit_code_after(report);
 }
