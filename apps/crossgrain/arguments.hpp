@@ -42,10 +42,10 @@ struct SolveArguments {
   std::optional<HexMeshingOptions> hexahedra;
   bool repair = false;  ///< whether to repair the matchings of the field on tets
   double read_seconds = ReadOptions().read_seconds;
-  bool tells_work = false;  ///< whether several processes tell of the work of each
   bool glue = false;
   LengthUnit unit = LengthUnit::kUnknown;  ///< of files that name none
   bool quiet = false;
+  bool verbose = false;  ///< prints all numbers, those of several processes too
   ProgressForm progress = ProgressForm::kOnTerminal;
 };
 

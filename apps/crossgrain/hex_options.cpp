@@ -24,8 +24,10 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
             "Number of hexahedra along the longest side instead (default 20)")
       ->excludes(size);
   add_value(*command, "--tet-size", options.tets.size, "X", fault_of_length,
-            "Largest edge of the tets that are made of a surface or CAD file (default: 1.4 times "
-            "that of the hexahedra, at most 0.07 of the longest side)");
+            "Largest edge of the tets that are made of a surface or CAD file, of which the field and whether "
+            "there is a mesh depend (default: 1.4 times that of the hexahedra, at most 0.07 of the longest "
+            "side). Where it makes more than 50000 tets, 4 times as much is taken first; other sizes follow "
+            "until a mesh fills the model. The line 'expected' tells the size");
   add_run_options(*command, arguments);
   add_keep_tags(*command, arguments.tags);
   add_formats(*command, arguments.output_options, /*has_map=*/true);

@@ -69,15 +69,6 @@ int exit_code_after(const SolveReport& report) {
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
-/// Says why hexahedra are not what was asked for, and what to do.
-std::string shortfall_of(const HexReport& report) {
-  std::string text = report.outcome == HexOutcome::kFlawed    ? "hexahedra fill it, with a flaw"
-                     : report.outcome == HexOutcome::kPartial ? "hexahedra fill only a part of it"
-                                                              : "no hexahedra fill it";
-  if (!report.reason.empty()) text += ": " + report.reason;
-  return report.remedy.empty() ? text : text + "; try " + report.remedy;
-}
-
 void print_warning(Warning warning, const SolveArguments& arguments) {
   if (warning.file.empty()) warning.file = arguments.model;
   print_message("warning: " + line_of(warning, arguments));
@@ -173,11 +164,19 @@ std::string expected_line(const Expectation& expected) {
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
+/// Returns the size of tets, with the rule if that was not followed.
+std::string text_of(const HexExpectation::TetSize& size) {
+  if (size.used == 0) return "";
+  const std::string text = fmt::format(" of {:.3g} (--tet-size)", size.used);
+  if (size.dropped == 0) return text;
+  return text + fmt::format(", since {:.3g} makes {}", size.dropped, size.dropped_tets);
+}
+
 std::string expected_line(const HexExpectation& expected) {
   const auto hexahedra = static_cast<std::size_t>(std::llround(std::max(1.0, expected.hexahedra)));
-  return fmt::format("expected   about {} of {:.3g}, along a field on {}\n",
+  return fmt::format("expected   about {} of {:.3g}, along a field on {}{}\n",
                      counted(hexahedra, "hexahedron", "hexahedra"), expected.size,
-                     counted(expected.tets, "tet"));
+                     counted(expected.tets, "tet"), text_of(expected.tet_size));
 }
 
 /// Rows about corners and knife edges of the model that leave room for no hexahedra, as its field is.
@@ -461,8 +460,9 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   }
   for (const Warning& warning : report.warnings)
     if (is_always_printed(warning)) print_warning(warning, arguments);
-  if (report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex)
-    print_message(arguments.model + ": " + shortfall_of(*report.hexahedra));
+  const bool is_short = report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex;
+  if (arguments.quiet && is_short)
+    print_message(arguments.model + ": " + line_of(*report.hexahedra, arguments));
   if (!arguments.quiet) print_result(summary_of(report, arguments));
   return exit_code_after(report);
 }

@@ -23,6 +23,16 @@ struct HexExpectation {
   std::size_t tets = 0;
   double size = 0;       ///< of the hexahedra, model units
   double hexahedra = 0;  ///< about their number: most often within a factor of two
+
+  /// Largest edge of tets that were made; 0 if they were given.
+  struct TetSize {
+    double used = 0;
+
+    /// The size that comes first by the rule of HexMeshingOptions::tets or by its option, and its number of
+    /// tets, if these were so many that a larger size was taken; else 0.
+    double dropped = 0;
+    std::size_t dropped_tets = 0;
+  } tet_size;
 };
 
 /// How a model is meshed with hexahedra.
@@ -31,7 +41,8 @@ struct HexMeshingOptions {
 
   /// How tets are made of a model that has none; `unit` is for a file of tets too. Without a size their edges
   /// are 1.4 times those of the hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is
-  /// less. Their crease angle and limit of memory are their own: give those of `solve` too.
+  /// less. Where this first size, or the one given, makes more than 50,000 tets, four times the size comes
+  /// first. Their crease angle and limit of memory are their own: give those of `solve` too.
   TetMakingOptions tets;
 
   /// How tags of given tets are read.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/message.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -61,11 +62,14 @@ struct HexReport {
   static constexpr std::size_t kMostPlaces = 20;
 
   HexOutcome outcome = HexOutcome::kNone;
-  std::string reason;                  ///< why it is not kAllHex, with a place if there is one
-  std::string remedy;                  ///< what to try then
-  Remedy remedy_kind = Remedy::kNone;  ///< the same where programs have options for it
-  std::vector<Vector3> places;  ///< where: of what `reason` counts, the worst first, at most kMostPlaces
-  double size = 0;              ///< of the hexahedra that were asked for
+
+  /// Why it is not kAllHex: what is wrong with the part, with a place and the faces there if they are known;
+  /// and the same in terms of map and field.
+  std::string reason, detail;
+  Remedy remedy = Remedy::kNone;  ///< what to try then; kNone if nothing is known to help
+  double remedy_number = 0;       ///< if `has_number`
+  std::vector<Vector3> places;    ///< where: of what `detail` counts, the worst first, at most kMostPlaces
+  double size = 0;                ///< of the hexahedra that were asked for
   double used_size = 0;
   double expected = 0;  ///< number of hexahedra of `size`, as forecast before the work
 
@@ -117,11 +121,15 @@ struct HexReport {
          analysis_seconds = 0;
 };
 
-/// Returns the report as a sentence: "all-hex, 1268 hexahedra, worst scaled Jacobian 0.71 at 3.2 0.1 4".
+/// Returns the report as a sentence: "all-hex: 1268 of 2", with their size and number beside those expected
+/// where they differ, shapes that are too poor to compute on, and reason and remedy unless it is kAllHex.
 std::string sentence_of(const HexReport& report);
 
 /// Returns the sentence with other words for the remedy.
-std::string sentence_of(const HexReport& report, const std::string& remedy);
+std::string sentence_of(const HexReport& report, const std::string& remedy_words);
+
+/// Returns shapes in words: "scaled Jacobian 0.71 at 3.2 0.1 4, 0.93 in the mean".
+std::string shapes_of(const HexReport::Quality& quality);
 
 /// @}
 

@@ -197,7 +197,7 @@ class HexMesh:
     def reason(self) -> str:
         """Why it is not all-hex, with a place, and what to try; empty if it is."""
         its_report = self.report["hexahedra"]
-        return "; try ".join(filter(None, [its_report.get("reason", ""), its_report.get("remedy", "")]))
+        return "; ".join(filter(None, [its_report.get("reason", ""), its_report.get("next", "")]))
 
     @cached_property
     def points(self) -> np.ndarray:

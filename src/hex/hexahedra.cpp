@@ -82,7 +82,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
   mesh.is_partial = is_partial(report.outcome);
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
-  explain(best, report);
+  explain(best, queue.attempts(), report);
   SolveReport whole = field.report();
   judge_solids(mesh, followed.solid(), whole.onto->united, report, whole.warnings);
   report.attempts = queue.attempts();
@@ -97,6 +97,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   add_faces(mesh, followed.solid(), report, whole);
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
   whole.hexahedra = std::move(report);
+  whole.answer.is_meshed = true;
   return {std::move(mesh), field.with_report(std::move(whole)), std::move(map)};
 }
 

@@ -20,9 +20,7 @@ void judge_contacts(const std::vector<BodyContact>& contacts, HexReport& report)
     if (report.places.size() < HexReport::kMostPlaces) report.places.push_back(contact.place);
   const Warning warning = warning_of(contacts);
   report.reason = warning.text;
-  report.remedy_kind = warning.remedy;
-  report.remedy = contacts.front().is_overlap ? "gluing the solids, or cutting one from the other"
-                                              : "gluing the solids, in the mesher if it is a mesh";
+  report.remedy = warning.remedy;
 }
 
 void judge_empty_solids(const std::vector<std::int32_t>& empty, HexReport& report) {
@@ -32,7 +30,7 @@ void judge_empty_solids(const std::vector<std::int32_t>& empty, HexReport& repor
           ? fmt::format("solid {} is smaller than the hexahedra and has none", empty.front())
           : fmt::format("{} solids are smaller than the hexahedra and have none, the first is solid {}",
                         empty.size(), empty.front());
-  report.remedy = "a smaller size of hexahedra";
+  report.remedy = Remedy::kTakeSmallerHexahedra;
 }
 
 }  // namespace

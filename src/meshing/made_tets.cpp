@@ -66,13 +66,14 @@ TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOption
   return domain;
 }
 
-StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue) {
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue,
+                        const HexExpectation::TetSize& made) {
   const bool is_first = queue.rounds() == 0;
   if (is_first) {
     const double size = asked_size(domain, options.hexahedra);
     const double hexahedra = expected_hexahedra(domain, size);
     queue.expect(hexahedra);
-    if (options.on_expected) options.on_expected({domain.mesh().tets.size(), size, hexahedra});
+    if (options.on_expected) options.on_expected({domain.mesh().tets.size(), size, hexahedra, made});
   }
   TetFrameField field = solve_onto(domain, options.solve, queue.monitor());
   queue.monitor().check_stop();
@@ -114,7 +115,7 @@ std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
   const std::optional<TetDomain> domain = next_domain(queue.monitor(), made.attempt);
   if (!domain) return {};
   made.attempt.round = queue.rounds();
-  StartingField start = solved_on(*domain, options_, queue);
+  StartingField start = solved_on(*domain, options_, queue, size_);
   start.work_share = kWorkShare;
   queue.start_on(std::move(start));
   made.attempt.work = kTetWork * static_cast<double>(made.attempt.tets);
@@ -150,11 +151,14 @@ std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, co
   const bool is_known = std::any_of(domains_.begin(), domains_.end(),
                                     [&](const TetDomain& other) { return are_same(domain, other); });
   const bool is_large = !may_be_large && attempt.tets > tuning_.large_tets;
+  if (is_large && domains_.empty()) size_ = {0, attempt.tet_size, attempt.tets};
   if (is_large) large_share_ = std::max(large_share_, share);
   if (is_known || is_large) {
     --sizes_;
     return std::nullopt;
   }
+  if (!domains_.empty()) size_ = {};
+  size_.used = attempt.tet_size;
   domains_.push_back(domain);
   return domain;
 }

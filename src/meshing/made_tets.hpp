@@ -42,6 +42,7 @@ class MadeTets : public AttemptKind {
   std::size_t at_ = 0;      ///< the next of MeshingTuning::tet_shares
   double large_share_ = 0;  ///< finer sizes than this have too many tets
   bool has_warned_ = false;
+  HexExpectation::TetSize size_;    ///< of the last tets
   std::vector<TetDomain> domains_;  ///< of all rounds
 };
 
@@ -53,7 +54,8 @@ TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOption
                     const Monitor& monitor);
 
 /// Solves on tets, for a round of the queue. Of the first, listeners and the queue hear before what is to be
-/// expected, and afterwards the answer about the field.
-StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue);
+/// expected, with the size of tets that were made, and afterwards the answer about the field.
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue,
+                        const HexExpectation::TetSize& made = {});
 
 }  // namespace crossgrain

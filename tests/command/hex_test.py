@@ -106,7 +106,10 @@ class HexTest(CommandTest):
         self.assertEqual(made["hexahedra"], 8 * 4 * 6)
         self.assertEqual(len(self.corners), 8 * 4 * 6)
         self.assertAlmostEqual(made["volume"], 3.0, places=6)
-        self.assertIn("hexahedra  all-hex, 192 hexahedra, worst scaled Jacobian 1.00", self.result.stdout)
+        rows = [line.split()[0] for line in self.result.stdout.splitlines()]
+        self.assertEqual(rows, ["expected", "hexahedra", "worst", "fit", "way", "files", "time"])
+        self.assertIn("hexahedra  all-hex: 192 of 0.25\nworst      scaled Jacobian 1 at ", self.result.stdout)
+        self.assertIn("fit        volume within 0.001 % and area within 0.001 % of the model; ", self.result.stdout)
         self.assertEqual(sorted(set(FILES) & {path.name for path in (self.folder / "out").iterdir()}), FILES)
 
     def test_the_report_has_the_shapes_of_the_file(self):
@@ -127,7 +130,8 @@ class HexTest(CommandTest):
         self.assertEqual(tets["tets"], self.report["onto"]["tets"])
         self.assertEqual(repair["outcome"], "all-hex")
         self.assertEqual(self.report["seconds"]["read"], tets["tet_seconds"])
-        self.assertNotIn("tries", self.result.stdout)
+        self.assertIn(f"way        attempt 2 of 2: field on {self.report['onto']['tets']} tets of 0.3, repaired\n", self.result.stdout)
+        self.assertRegex(self.result.stdout, r"expected .* tets of 0\.3 \(--tet-size\)\n")
         self.assert_succeeds(self.run_here("check", "out"))
 
     def test_an_octahedron_is_filled_though_four_faces_meet_in_its_corners(self):
@@ -148,13 +152,24 @@ class HexTest(CommandTest):
         self.write_fan()
         made = self.hexahedra("fan.mesh", "--cells", "5", code=NOT_ALL_HEX)
         self.assertIn(made["outcome"], ("none", "partial"))
-        self.assertIn("no map", made["reason"])
-        self.assertTrue(made["remedy"])
+        self.assertIn("hexahedra", made["detail"])
         self.assertTrue(all(np.isfinite(place).all() for place in made["places"]))
-        self.assertRegex(self.result.stdout, r"hexahedra  (none|partial).*: no map: .* at .*; try ")
+        self.assertRegex(self.result.stdout, r"hexahedra  (none|partial)")
+        self.assertIn(made["reason"], self.result.stdout)
+        self.assertNotIn("--tet-size", self.result.stdout, "no tets are made of a mesh of tets")
         self.hexahedra("fan.mesh", "--cells", "5", "--quiet", code=NOT_ALL_HEX)
         self.assertEqual(self.result.stdout, "")
-        self.assertRegex(self.result.stderr, r"\Acrossgrain: fan.mesh: (no hexahedra fill it|hexahedra fill only a part of it): .*; try .*\n\Z")
+        self.assertRegex(self.result.stderr, r"\Acrossgrain: fan.mesh: (none|partial).*\n\Z")
+        self.assertIn(made["reason"], self.result.stderr)
+
+    def test_verbose_adds_the_numbers_of_tets_repair_and_map(self):
+        self.write_box()
+        made = self.run_here("hex", "box.mesh", "--cells", "4", "-o", "out", "--verbose")
+        self.assert_succeeds(made)
+        rows = [line.split()[0] for line in made.stdout.splitlines()]
+        self.assertLessEqual({"singular", "energy", "surface", "cells", "tets", "repair"}, set(rows))
+        self.assertEqual(rows.count("energy"), 1)
+        self.assertEqual(rows[-2:], ["files", "time"])
 
     def test_warnings_about_the_model_come_before_the_work(self):
         vertices, tets = tet_box()

@@ -46,7 +46,7 @@ TEST(SolidJudgement, OfBodiesThatTouchWithoutCommonVerticesIsFlawed) {
   EXPECT_EQ(report.reason.find("solids 1 and 2 touch, but are meshed apart, without common vertices, at "),
             0u)
       << report.reason;
-  EXPECT_EQ(report.remedy_kind, Remedy::kGlueSolids);
+  EXPECT_EQ(report.remedy, Remedy::kGlueSolids);
   EXPECT_EQ(report.places.size(), 1u);
   EXPECT_EQ(report.bodies, 2u);
 }
@@ -57,7 +57,7 @@ TEST(SolidJudgement, OfBodiesThatOverlapIsFlawed) {
   EXPECT_EQ(report.reason.find("solids 1 and 2 overlap, and both are meshed whole, one in the other, at "),
             0u)
       << report.reason;
-  EXPECT_EQ(report.remedy_kind, Remedy::kSeparateSolids);
+  EXPECT_EQ(report.remedy, Remedy::kSeparateSolids);
 }
 
 TEST(SolidJudgement, OfBodiesApartIsASuccessThatTellsTheirNumber) {
@@ -92,7 +92,7 @@ TEST(SolidJudgement, OfASolidWithoutHexahedraIsFlawed) {
   const HexReport report = made_of(with_regions(box({6, 6, 6}), region_of), 3).report();
   EXPECT_EQ(report.outcome, HexOutcome::kFlawed);
   EXPECT_EQ(report.reason, "solid 2 is smaller than the hexahedra and has none");
-  EXPECT_EQ(report.remedy, "a smaller size of hexahedra");
+  EXPECT_EQ(report.remedy, Remedy::kTakeSmallerHexahedra);
   EXPECT_EQ(made_of(with_regions(box({6, 6, 6}), region_of), 1).report().outcome, HexOutcome::kAllHex);
 }
 

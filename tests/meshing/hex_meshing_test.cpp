@@ -157,6 +157,21 @@ TEST_F(HexMeshing, TriesOnlyTheCoarsestOfSizesWithManyTets) {
   EXPECT_NEAR(tets.front().tet_size, 0.6, 1e-9);
 }
 
+TEST_F(HexMeshing, TellsBeforeTheWorkThatTheFirstSizeHasTooManyTets) {
+  MeshingTuning tuning;
+  tuning.tet_shares = {1, 4};
+  tuning.large_tets = 500;
+  HexMeshingOptions options = of_size(1);
+  options.tets.size = 0.4;
+  std::vector<HexExpectation> heard;
+  options.on_expected = [&](const HexExpectation& expected) { heard.push_back(expected); };
+  tuned_hexahedra(make_box({4, 2, 3}), options, tuning);
+  ASSERT_FALSE(heard.empty());
+  EXPECT_NEAR(heard.front().tet_size.used, 1.6, 1e-9);
+  EXPECT_NEAR(heard.front().tet_size.dropped, 0.4, 1e-9);
+  EXPECT_GT(heard.front().tet_size.dropped_tets, tuning.large_tets);
+}
+
 TEST_F(HexMeshing, GoesOnAfterPoorHexahedraAndKeepsThem) {
   MeshingTuning tuning;
   tuning.tet_shares = {1, 2};
