@@ -133,11 +133,29 @@ std::string deviation(double value, double right) {
   return std::abs(percent) < 100 ? fmt::format("{:+.2g} %", percent) : fmt::format("{:+.0f} %", percent);
 }
 
+/// What a fit is measured against.
+const char* words_of(ModelSource source) {
+  switch (source) {
+    case ModelSource::kCad:
+      return "the CAD model";
+    case ModelSource::kSurface:
+      return "the surface";
+    case ModelSource::kTets:
+      break;
+  }
+  return "the tets";
+}
+
 std::string fit_row(const HexReport& hexahedra) {
-  return row("fit", fmt::format("volume {} and area {} of the model; farthest from the surface by {:.3g}",
+  const bool is_of_model = hexahedra.largest_distance_of_model > hexahedra.largest_distance;
+  const double distance = is_of_model ? hexahedra.largest_distance_of_model : hexahedra.largest_distance;
+  const auto& [x, y, z] =
+      is_of_model ? hexahedra.largest_distance_of_model_place : hexahedra.largest_distance_place;
+  return row("fit", fmt::format("volume {} and area {} of {}; farthest from the surface by {:.3g} at {:.4g} "
+                                "{:.4g} {:.4g}",
                                 deviation(hexahedra.volume, hexahedra.model_volume),
-                                deviation(hexahedra.area, hexahedra.model_area),
-                                std::max(hexahedra.largest_distance, hexahedra.largest_distance_of_model)));
+                                deviation(hexahedra.area, hexahedra.model_area), words_of(hexahedra.model),
+                                distance, x, y, z));
 }
 
 /// Says which attempt made the mesh.

@@ -106,8 +106,8 @@ class AttemptQueue {
   /// Number of the best attempt in attempts().
   std::size_t best_attempt() const { return best_ ? best_->number : 0; }
 
-  /// Whether other tets cannot help, as far as is known: in each of several rounds hexahedra meet by no repair
-  /// at one and the same corner of the model (HexCandidate::unmended).
+  /// Whether other tets cannot help, as far as is known: in each of several rounds hexahedra meet by no
+  /// repair at one and the same corner of the model (HexCandidate::unmended).
   bool is_up_to_the_model() const;
 
   /// All attempts, in the order in which they were made.

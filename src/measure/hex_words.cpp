@@ -25,8 +25,8 @@ constexpr double kAsExpected = 2;
 /// others, and why they are.
 std::string sizes_of(const HexReport& report) {
   const auto made = static_cast<double>(report.hexahedra);
-  const double expected = std::max(
-      1.0, report.expected > 0 ? report.expected : report.model_volume / std::pow(report.size, 3));
+  const double expected =
+      std::max(1.0, report.expected > 0 ? report.expected : report.model_volume / std::pow(report.size, 3));
   const bool is_whole = report.outcome == HexOutcome::kAllHex || report.outcome == HexOutcome::kFlawed;
   const bool is_smaller = report.used_size<report.size, is_more = made> kAsExpected * expected,
              is_less = made * kAsExpected < expected;
