@@ -4,6 +4,7 @@
 // Environment: CROSSGRAIN_CHROMIUM is the browser (default /usr/bin/chromium), CROSSGRAIN_SCREENSHOTS a folder that screenshots are kept
 // in, CROSSGRAIN_UPDATE_REFERENCES=1 writes the pictures of references/ anew instead of comparing with them.
 
+import assert from "node:assert/strict";
 import { mkdtempSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -17,8 +18,6 @@ const kArguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
 // Half a device pixel a CSS pixel: software draws a quarter as many, and everything else is as large as it is on a desktop or a phone.
 export const kDesktop = { viewport: { width: 1440, height: 900 }, deviceScaleFactor: 0.5 };
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1 };
-/** The same as they are, for pictures. */
-export const kSharp = { desktop: { ...kDesktop, deviceScaleFactor: 1 }, phone: { ...kPhone, deviceScaleFactor: 2 } };
 
 const folder = mkdtempSync(join(tmpdir(), "crossgrain-viewer-"));
 export const template = readFileSync(new URL("../../viewer/dist/report.html", import.meta.url), "utf8");
@@ -68,26 +67,50 @@ export class SharedPages {
     this.opened = new Map();
   }
 
-  /** The page of a scene, shown as it opened. */
+  /** The page of a scene, shown as it opened, and how long that took. */
   async page(browser, name) {
     if (!this.opened.has(name)) {
-      const { page, problems } = await open(browser, scene_file(name));
+      const { page, problems, opened_ms } = await open(browser, scene_file(name));
       const settings = await state(page);
-      this.opened.set(name, { page, problems, settings, link: await page.evaluate(() => window.crossgrain.link()) });
-      return { page, problems };
+      this.opened.set(name, { page, problems, settings, opened_ms, link: await page.evaluate(() => window.crossgrain.link()) });
+      return { page, problems, opened_ms };
     }
-    const { page, problems, settings, link } = this.opened.get(name);
+    const { page, problems, settings, link, opened_ms } = this.opened.get(name);
     await page.evaluate(async ([{ theme, cut, glyph, layers }, there]) => {
       const restored = new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
       history.replaceState(null, "", location.pathname);
       location.hash = new URL(there).hash;
       await restored;
       document.querySelector('[data-testid="tab-field"]').click();
-      await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, below: 1, hexahedron: -1, marked: null });
+      await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, below: 1, hexahedron: -1, alone: false, face: null, marked: null });
     }, [settings, link]);
     problems.length = 0;
-    return { page, problems };
+    return { page, problems, opened_ms };
   }
+}
+
+// Software drawing and busy machines are slow: the limit is of what would be wrong anywhere.
+const kLongestOpening = 20_000;
+
+/** That a page has opened without complaint, and shows what the reference picture of this name shows. */
+export async function check_opening({ page, problems, opened_ms }, name, width = 360) {
+  assert.ok(opened_ms < kLongestOpening, `${opened_ms} ms`);
+  assert.deepEqual(problems, []);
+  assert.ok((await drawn_share(page)) > 0.06);
+  assert.equal(await page.locator("#message").isVisible(), false);
+  await keep_screenshot(page, name);
+  const current = await picture(page, width);
+  const { mean, share } = await difference(page, current, reference(name, current));
+  assert.ok(mean < 0.01 && share < 0.01, `differs from the reference: mean ${mean}, share ${share}`);
+}
+
+/** That every reason, and whatever else may be said in several places, stands in the panel once. */
+export async function check_said_once(page, { reasons, hexahedra }, others = []) {
+  const text = (await page.locator('[data-testid="panel-field"]').evaluate((panel) => panel.textContent)).toLowerCase();
+  const times = (words) => text.split(words.toLowerCase()).length - 1;
+  for (const { text: reason } of reasons) assert.equal(times(reason), 1, reason);
+  if (hexahedra?.reason) assert.equal(times(hexahedra.reason), 1, hexahedra.reason);
+  for (const words of others) assert.equal(times(words), 1, words);
 }
 
 export const state = (page) => page.evaluate(() => window.crossgrain.state());

@@ -4,8 +4,8 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
-import { hex_mesh } from "../../viewer/tests/hex_scene.mjs";
-import { difference, keep_screenshot, kDesktop, launch, open, picture, scene_file, SharedPages, state } from "./browser.mjs";
+import { center_of as center_of_points, hex_mesh } from "../../viewer/tests/hex_scene.mjs";
+import { check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, launch, open, picture, scene_file, scene_named, SharedPages, state } from "./browser.mjs";
 
 let browser;
 const shared = new SharedPages();
@@ -15,14 +15,20 @@ after(() => browser?.close());
 const by_test = (name) => `[data-testid="${name}"]`;
 const mesh = hex_mesh();
 const total = mesh.hexahedra.length;
-const center_of = (corners) => [0, 1, 2].map((axis) => corners.reduce((sum, point) => sum + mesh.points[point][axis] / 8, 0));
+const center_of = (corners) => center_of_points(mesh.points, corners);
 /** A move of the mouse that no slider or key is needed for. */
 const change = (page, part) => page.evaluate((wanted) => window.crossgrain.change(wanted), part);
+
+test("hexahedra opens without complaint and shows the part, and says each reason once", async () => {
+  const opened = await shared.page(browser, "hexahedra");
+  await check_opening(opened, "hexahedra-desktop-light");
+  await check_said_once(opened.page, scene_named("hexahedra").report, ["knife edge of 30 degrees"]);
+});
 
 test("hexahedra are shown first, cut, with what the report says of them", async () => {
   const { page, problems } = await shared.page(browser, "hexahedra");
   assert.equal((await state(page)).layers.hexahedra, true);
-  assert.match(await page.locator(by_test("hexahedra")).innerText(), /^!\s*Partial mesh: 432 hexahedra, scaled Jacobian −1\.00 at least, 0\.99 in the mean, 1 inverted\s+1 hexahedron is inverted; mesh it with edges of 3\.6\.$/i);
+  assert.match(await page.locator(by_test("hexahedra")).innerText(), /^!\s*Partial mesh: 432 hexahedra\s+1 hexahedron is inverted; mesh it with edges of 3\.6\.\s+1\s+Worst hexahedron: −1, inverted\s+2\s+Worst fit: 0\.13 mm$/i);
   assert.match(await page.locator(by_test("badge")).textContent(), /partial mesh$/i);
   assert.match(await page.locator(by_test("shown")).innerText(), /^\d+ hexahedra shown\.$/);
   const legend = (await page.locator(by_test("legend-hexahedra")).innerText()).replace(/\s+/g, " ");
@@ -79,14 +85,14 @@ test("a click on a hexahedron shows its number and its shape", async () => {
   const at = await page.evaluate((point) => window.crossgrain.screenOf(point), [x, -10, z]);
   await page.mouse.click(...at);
   assert.equal((await state(page)).hexahedron, number);
-  assert.equal(await page.locator(by_test("cell-title")).innerText(), `Hexahedron ${number}`);
-  assert.equal(await page.locator(by_test("hexahedron-shape")).innerText(), "1.000");
+  assert.equal(await page.locator(by_test("cell-title")).innerText(), `Hexahedron ${number + 1}`);
+  assert.equal(await page.locator(by_test("hexahedron-shape")).innerText(), "1");
   assert.equal(await page.locator(by_test("hexahedron-edges")).innerText(), "3.33 to 3.33 mm");
   await keep_screenshot(page, "picked-hexahedron-desktop-light");
   await page.locator(by_test("cell-close")).click();
   assert.equal((await state(page)).hexahedron, -1);
   await page.mouse.click(...(await page.evaluate(() => window.crossgrain.screenOf([-8, -10, -18]))));
-  assert.equal(await page.locator(by_test("hexahedron-shape")).innerText(), "−1.000, inverted");
+  assert.equal(await page.locator(by_test("hexahedron-shape")).innerText(), "−1, inverted");
 });
 
 test("the field is there where it is asked for, and only then what concerns it alone", async () => {
@@ -102,10 +108,119 @@ test("the field is there where it is asked for, and only then what concerns it a
   assert.equal(await picture(page), solid);
 });
 
-test("the worst hexahedron is the first place to look at", async () => {
+test("sizes, numbers, worst hexahedron, fit, way and files stand beside what was asked for, and the field is folded away", async () => {
   const { page } = await shared.page(browser, "hexahedra");
-  const worst = page.locator(by_test("worst-place")).first();
-  assert.match(await worst.innerText(), /Worst hexahedron/);
-  await worst.click();
-  assert.deepEqual((await state(page)).marked.point, [-8, -8, -18]);
+  const { report } = scene_named("hexahedra");
+  const text = (test) => page.locator(by_test(test)).innerText();
+  assert.equal(await text("number-size"), "3.33 mm\n4 mm asked for");
+  assert.equal(await text("number-hexahedra"), "432\nabout 250 at the size asked for");
+  assert.match(await text("number-worst"), /^−1, inverted\nof hexahedron 1, 0\.99 in the mean$/);
+  assert.equal(await text("mesh-fit"), "volume −0.12 %, area +0.2 % of the CAD model; at most 0.13 mm from the surface");
+  assert.equal(await text("mesh-way"), "attempt 2 of 3: field on 8,748 tets, repaired");
+  assert.equal(await text("mesh-files"), "hexahedra.vtu, hexahedra.msh, hexahedra.mesh, hexahedra.inp, hexahedra.hexex");
+  // Numbers of the field say nothing of the mesh.
+  for (const test of ["number-energy", "alignment-max", "levels", "answer"]) assert.equal(await page.locator(by_test(test)).isVisible(), false, test);
+  await page.locator(`${by_test("field-of-mesh")} > summary`).click();
+  assert.equal(await page.locator(by_test("answer")).textContent(), report.answer);
+  assert.ok(await page.locator(by_test("number-energy")).isVisible());
+  await page.locator(`${by_test("field-of-mesh")} > summary`).click();
+});
+
+/** Pixels near one: how many have the colour of what is picked, and how many lie about where the hexahedron is seen. */
+const crimson_around = (page, point) => page.evaluate(async (at) => {
+  await window.crossgrain.drawn();
+  const view = document.getElementById("view");
+  const [x, y] = window.crossgrain.screenOf(at);
+  const size = 120;
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [size, size];
+  const drawing = canvas.getContext("2d", { willReadFrequently: true });
+  const scale = view.width / view.clientWidth;
+  drawing.drawImage(view, (x - size / 2) * scale, (y - size / 2) * scale, size * scale, size * scale, 0, 0, size, size);
+  const { data } = drawing.getImageData(0, 0, size, size);
+  let count = 0;
+  for (let k = 0; k < data.length; k += 4) if (data[k] > 150 && data[k + 1] < 120 && data[k + 2] > 60 && data[k + 2] < 200) ++count;
+  return count;
+}, point);
+
+for (const [name, mesh_of] of [["hexahedra", hex_mesh(true)], ["all_hex", hex_mesh(false)]]) {
+  test(`the worst hexahedron is shown alone and named, ${name === "all_hex" ? "inside the part" : "at its surface"}`, async () => {
+    const { page } = await shared.page(browser, name);
+    const before_it = await picture(page);
+    const worst = page.locator(by_test("worst-place")).first();
+    assert.match(await worst.innerText(), /Worst hexahedron/);
+    await worst.click();
+    const there = await state(page);
+    assert.deepEqual(there.marked.point, mesh_of.worst_place);
+    assert.equal(there.hexahedron, mesh_of.worst);
+    assert.equal(there.alone, true);
+    assert.equal(there.hexahedra, 1, "others are not shown as solid");
+    const shape = mesh_of.shapes[mesh_of.worst];
+    assert.equal(await page.locator(by_test("tag")).innerText(), `Hexahedron ${mesh_of.worst + 1}: scaled Jacobian ${shape <= 0 ? "−1, inverted" : shape.toPrecision(2)}`);
+    // Outlined, with nothing in front of its lines, and the rest pale.
+    assert.ok((await crimson_around(page, mesh_of.worst_place)) > 60, `${await crimson_around(page, mesh_of.worst_place)} pixels are marked`);
+    assert.ok((await difference(page, before_it, await picture(page))).mean > 0.02);
+    await keep_screenshot(page, `worst-${name}-desktop-light`);
+    await page.locator(by_test("tag-clear")).click();
+    assert.equal((await state(page)).alone, false);
+    assert.equal(await page.locator(by_test("tag")).isVisible(), false);
+    // A cut shows all again as well.
+    await worst.click();
+    await page.locator(by_test("cut-position")).fill("0.4");
+    assert.equal((await state(page)).alone, false);
+  });
+}
+
+test("a click on a face names the face, its set in the files, and what the report says of it", async () => {
+  const { page } = await shared.page(browser, "hexahedra");
+  await change(page, { cut: { on: false } });
+  await page.evaluate(() => window.crossgrain.setView("front"));
+  await page.mouse.click(...(await page.evaluate(() => window.crossgrain.screenOf([1.7, -10, 5]))));
+  const text = (test) => page.locator(by_test(test)).innerText();
+  assert.equal(await text("face-title"), "Face 3");
+  assert.equal(await text("face-kind"), "plane");
+  assert.equal(await text("face-area"), "800 mm²");
+  assert.equal(await text("face-quads"), "72");
+  assert.equal(await text("face-set"), "set FACE_3 of hexahedra.inp");
+  assert.equal(await text("tag"), "Face 3 · plane");
+  assert.match(await text("cell-title"), /^Hexahedron /);
+  assert.match(await page.locator(by_test("announcement")).textContent(), /on Face 3 · plane\.$/);
+  await keep_screenshot(page, "picked-face-hexahedra-desktop-light");
+  // A cut shows hexahedra inside, which lie on no face.
+  await change(page, { cut: { on: true, axis: "y", position: 0.5, flip: true, clip: true }, face: null });
+  await page.mouse.click(...(await page.evaluate(() => window.crossgrain.screenOf([1.7, 0, 5]))));
+  assert.ok((await state(page)).hexahedron >= 0);
+  assert.equal((await state(page)).face, null);
+});
+
+test("the table of faces is sorted by its heads, marks faces without quads, and shows the face of a row", async () => {
+  const { page } = await shared.page(browser, "hexahedra");
+  await page.locator(`${by_test("faces")} > summary`).click();
+  const rows = () => page.locator(`${by_test("faces")} tbody tr`).allInnerTexts();
+  const numbers = async () => (await rows()).map((row) => Number(row.split(/\s/)[0]));
+  assert.deepEqual(await numbers(), [1, 2, 3, 4, 5, 6, 7]);
+  assert.deepEqual((await rows())[6].split(/\s+/), ["7", "cylinder", "0.8", "0"]);
+  await page.locator(by_test("sort-area")).click();
+  assert.deepEqual(await numbers(), [7, 5, 6, 1, 2, 3, 4]);
+  await page.locator(by_test("sort-area")).click();
+  assert.deepEqual(await numbers(), [1, 2, 3, 4, 5, 6, 7]);
+  assert.equal(await page.locator(`${by_test("faces")} tr.lacking`).count(), 1);
+  await page.locator(`${by_test("faces")} tbody tr`).nth(1).click();
+  const { face, camera } = await state(page);
+  assert.equal(face.number, 2);
+  assert.ok(camera.position[0] - camera.target[0] > 10, "it is looked at from outside");
+  assert.equal(await page.locator(by_test("tag")).innerText(), "Face 2 · plane");
+  await page.locator(`${by_test("faces")} > summary`).click();
+});
+
+test("on a phone the worst hexahedron is named too, and a tap beside it shows all", async () => {
+  const { page, context } = await open(browser, scene_file("all_hex"), { device: kPhone, scheme: "dark" });
+  await page.locator(by_test("tab-field")).tap();
+  await page.locator(by_test("worst-place")).first().tap();
+  assert.match(await page.locator(by_test("tag")).innerText(), /^Hexahedron \d+: scaled Jacobian 0\.\d+$/);
+  await keep_screenshot(page, "worst-phone-dark");
+  const { left, top } = await page.evaluate(() => window.crossgrain.free());
+  await page.touchscreen.tap(left + 12, top + 12);
+  assert.equal((await state(page)).alone, false);
+  await context.close();
 });

@@ -3,7 +3,7 @@
 
 import type { Theme } from "./math/color_maps.ts";
 import { subtract, type Vector } from "./math/frame.ts";
-import type { Degree } from "./math/harmonics.ts";
+import { faces_of_model, facing_of, point_of, triangles_of_face, type ModelFace } from "./scene/faces.ts";
 import { faults_of, is_drawn_anyway, of_starting_grid } from "./scene/faults.ts";
 import type { Report } from "./scene/report.ts";
 import { cell_box, element_center, type Scene } from "./scene/scene.ts";
@@ -11,23 +11,36 @@ import { SettingsStore, type CutAxis, type FieldName, type Settings, type UpAxis
 import type { FaultMark } from "./view/line_marks.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
-import { answer_blocks, answer_of, place_of, worst_places } from "./ui/answer.ts";
+import { places_of_answer } from "./ui/answer.ts";
 import { by_id, counted, measured, plural } from "./ui/dom.ts";
-import { describe_hexahedron, hexahedra_shown, hexahedra_text, hexahedron_title, show_hexahedron, two_digits, type HexDescription } from "./ui/hex_panel.ts";
-import { describe_element, show_cell, show_no_cell, title_of, type CellPanel } from "./ui/cell_panel.ts";
+import { hexahedra_shown, hexahedra_text, hexahedron_title, shape_text } from "./ui/hex_panel.ts";
+import { title_of } from "./ui/cell_panel.ts";
 import type { Commands } from "./ui/commands.ts";
 import { make_controls } from "./ui/controls.ts";
+import { face_title } from "./ui/face_table.ts";
+import { free_area, type FreeArea } from "./ui/free_area.ts";
 import { Keyboard } from "./ui/keyboard.ts";
 import { key_groups } from "./ui/key_groups.ts";
 import { legend_body } from "./ui/legend.ts";
+import { mesh_places } from "./ui/mesh_summary.ts";
+import { PickedPanel } from "./ui/picked_panel.ts";
 import type { Place } from "./ui/place.ts";
-import { place_groups, place_lists } from "./ui/places.ts";
+import { input_groups } from "./ui/places.ts";
+import { report_blocks } from "./ui/report_panel.ts";
 import { make_toolbar } from "./ui/toolbar.ts";
 import { PointerClicks } from "./ui/pointer_clicks.ts";
 import { picture_of, save_picture } from "./ui/saved_picture.ts";
+import { Tag } from "./ui/tag.ts";
 import { link_from, link_of } from "./view_link.ts";
 import { widest_cut } from "./view/widest_cut.ts";
 import type { Tabs } from "./ui/tabs.ts";
+
+// What lies over the view.
+const kOver = ["panel-view", "toolbar", "shown", "legend"];
+// Height in pixels of the button that opens the legend on a phone, with what is around it.
+const kLegendButton = 56;
+
+const is_narrow = (): boolean => matchMedia("(max-width: 799px)").matches;
 
 export class Application implements Commands {
   readonly store = new SettingsStore();
@@ -35,18 +48,17 @@ export class Application implements Commands {
   private readonly follow: (settings: Settings) => void;
   private readonly keyboard: Keyboard;
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly degree: Degree;
   private readonly places: Place[];
-  private cell_panel: CellPanel | null = null;
-  private shown_cell = -1;
-  private shown_hexahedron = -1;
+  private readonly faces: ModelFace[];
+  private readonly picked: PickedPanel;
+  private readonly tag: Tag;
+  private free: FreeArea = { left: 0, right: 1, top: 0, bottom: 1 };
   private visited = -1;
   private note_timer = 0;
   private shown_size = "";
 
   constructor(readonly scene: Scene, report: Report, private readonly tabs: Tabs, context: WebGL2RenderingContext) {
     const canvas = by_id("view") as HTMLCanvasElement;
-    this.degree = report.degree === 3 ? 3 : 4;
     const marks_of = (field: FieldName): FaultMark[] => faults_of(field === "grid" ? of_starting_grid(report) : report)
       .filter((fault) => !is_drawn_anyway(fault)).map(({ place, verdict }) => ({ point: subtract(place, scene.origin), verdict }));
     this.stage = new Stage(scene, marks_of, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
@@ -54,30 +66,30 @@ export class Application implements Commands {
     // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
     this.store.change({ cut: { axis, flip: axis === "y" } });
     this.follow = make_controls(by_id("panel-view"), this.store, scene, { cut: (on) => this.cut(on), cut_across: (axis) => this.cut_across(axis), turn_up: (up) => this.turn_up(up) });
-    const go = (place: Place): void => this.visit(place);
-    const answer = answer_of(report);
-    const groups = place_groups(report, scene.origin);
-    const worst = worst_places(report, scene, scene.origin);
-    this.places = apart([...worst, ...(answer?.reasons ?? []).map((reason) => place_of(reason, scene.origin)), ...groups.flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))]);
-    by_id("answer").replaceChildren(...answer_blocks(answer, worst, scene.origin, go));
-    by_id("places").replaceChildren(...place_lists(groups, scene.origin, go));
+    this.faces = faces_of_model(report, scene);
+    this.places = apart([...mesh_places(report, scene, scene.origin), ...places_of_answer(report, scene.origin), ...input_groups(report, scene.origin).flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))]);
+    by_id("panel-field").replaceChildren(...report_blocks(report, this.faces, { scene, go: (place) => this.visit(place), show_face: (face) => this.show_face(face) }));
+    this.picked = new PickedPanel(report, this.faces, this.stage, tabs, {
+      show_hexahedron: (hexahedron) => this.show_alone(hexahedron), show_face: (face) => this.show_face(face), clear: () => this.clear(),
+    });
+    this.tag = new Tag(() => this.clear());
     this.keyboard = new Keyboard(key_groups(this), by_id("help") as HTMLDialogElement);
     make_toolbar(by_id("toolbar"), this);
     new PointerClicks(canvas, (x, y) => this.pick_at(x, y), (x, y) => this.fly_at(x, y));
-    this.stage.onmove = () => this.draw_plot();
+    this.stage.onmove = () => this.moved();
     this.store.subscribe((settings) => this.apply(settings));
     this.dark.addEventListener("change", () => this.apply(this.store.current));
     canvas.setAttribute("aria-label", `${by_id("part-name").textContent} with its singular lines and the frames on a cut`);
     // A phone has no room for the legend until it is asked for.
-    if (matchMedia("(max-width: 799px)").matches) by_id("legend").removeAttribute("open");
+    if (is_narrow()) by_id("legend").removeAttribute("open");
     this.expose();
   }
 
   async started(): Promise<void> {
-    const observer = new ResizeObserver(() => this.resize());
-    observer.observe(by_id("stage"));
-    this.resize();
     this.apply(this.store.current);
+    const observer = new ResizeObserver(() => this.resize());
+    for (const part of ["stage", ...kOver]) observer.observe(by_id(part));
+    this.resize();
     this.stage.face_cut(false);
     this.restore(location.hash);
     addEventListener("hashchange", () => this.restore(location.hash));
@@ -100,6 +112,8 @@ export class Application implements Commands {
     const { settings, camera } = link_from(hash);
     if (!this.scene.grid) delete settings.field;
     if (Object.keys(settings).length > 0) this.store.change(settings);
+    // The legend that it brings leaves less or more free: the camera is of a view that knew.
+    this.resize();
     if (camera) this.stage.rig.go_to(camera);
     else if (settings.up || settings.cut) this.stage.face_cut(false);
   }
@@ -151,45 +165,32 @@ export class Application implements Commands {
 
   /** Picks what is under a place of the canvas; nothing there clears the pick. */
   pick_at(x: number, y: number): number {
-    const hexahedron = this.stage.pick_hexahedron(x, y);
-    if (hexahedron !== null) return this.take_hexahedron(hexahedron);
-    const cell = this.stage.pick(x, y);
-    this.store.change({ picked: cell, hexahedron: -1 });
-    if (cell >= 0) {
-      const { class: kind, energy_density } = this.describe(cell);
-      this.announce(`${title_of(this.shown, cell)} picked, ${kind ? `${kind}, ` : ""}energy density ${measured(energy_density)}.`);
-      this.show_panel_of_picked();
-    } else this.announce("Nothing there.");
-    return cell;
-  }
-
-  private take_hexahedron(hexahedron: number): number {
-    this.store.change({ hexahedron, picked: -1 });
-    if (hexahedron < 0) {
-      this.announce("Nothing there.");
-      return -1;
+    const { element, face } = this.stage.pick(x, y);
+    const { hexahedron: before, alone } = this.store.current;
+    const solid = this.stage.shows_hexahedra;
+    // A click on the one that is shown alone keeps it so; beside it all are shown again.
+    const stays = solid && alone && element === before;
+    this.store.change({ picked: solid ? -1 : element, hexahedron: solid ? element : -1, face, alone: stays, ...(alone && !stays ? { marked: null } : {}) });
+    if (element < 0) this.announce("Nothing there.");
+    else {
+      this.announce(`${this.words_of(element)}${face ? `, on ${face_title(this.picked.face(face.number))}` : ""}.`);
+      if (!is_narrow() || this.tabs.is_open()) this.tabs.select("cell");
     }
-    const described = this.describe_hexahedron(hexahedron);
-    this.announce(`${hexahedron_title(described)} picked, scaled Jacobian ${two_digits(described.scaled_jacobian)}.`);
-    this.show_panel_of_picked();
-    return hexahedron;
+    return element;
   }
 
-  private show_panel_of_picked(): void {
-    if (!matchMedia("(max-width: 799px)").matches || this.tabs.is_open()) this.tabs.select("cell");
-  }
-
-  private describe_hexahedron(hexahedron: number): HexDescription {
-    return describe_hexahedron(this.shown, this.stage.field.hexahedra!, hexahedron);
+  private words_of(element: number): string {
+    if (this.stage.shows_hexahedra) {
+      const described = this.picked.describe_hexahedron(element);
+      return `${hexahedron_title(described)} picked, scaled Jacobian ${shape_text(described.scaled_jacobian)}`;
+    }
+    const { class: kind, energy_density } = this.picked.describe(element);
+    return `${title_of(this.shown, element)} picked, ${kind ? `${kind}, ` : ""}energy density ${measured(energy_density)}`;
   }
 
   /** The scene of the field that is shown. */
   private get shown(): Scene {
     return this.stage.field.scene;
-  }
-
-  private describe(element: number): ReturnType<typeof describe_element> {
-    return describe_element(this.shown, element, this.degree);
   }
 
   pick_middle(): void {
@@ -199,20 +200,41 @@ export class Application implements Commands {
   }
 
   fly_at(x: number, y: number): void {
-    const hexahedron = this.stage.pick_hexahedron(x, y);
-    if (hexahedron !== null && hexahedron >= 0) return this.stage.rig.approach(this.stage.field.hexahedra!.center(hexahedron), true);
-    if (hexahedron !== null) return;
-    const cell = this.stage.pick(x, y);
-    if (cell >= 0) this.stage.rig.approach(element_center(this.shown, cell), true);
+    const { element } = this.stage.pick(x, y);
+    if (element < 0) return;
+    this.stage.rig.approach(this.stage.shows_hexahedra ? this.stage.field.hexahedra!.center(element) : element_center(this.shown, element), true);
+  }
+
+  /** Shows one hexahedron with those around it faintly. */
+  private show_alone(hexahedron: number): void {
+    this.store.change({ layers: { hexahedra: true }, field: "main", hexahedron, picked: -1, face: null, alone: true });
+    const { hexahedra } = this.stage.field;
+    this.stage.rig.approach(hexahedra!.center(hexahedron), true, hexahedra!.radius(hexahedron));
+  }
+
+  /** Shows a face of the model from outside. */
+  private show_face(number: number): void {
+    const corners = triangles_of_face(this.scene, number);
+    const known = this.picked.face(number).center;
+    const point = corners.length > 0 ? point_of(corners) : known;
+    if (!point) return this.announce(`The view does not show face ${number}.`);
+    // It may lie in the half that a cut takes away.
+    this.store.change({ face: { number, point }, picked: -1, hexahedron: -1, marked: null, cut: { on: false } });
+    const facing = facing_of(corners);
+    if (facing) this.stage.rig.face(facing, true);
+    else this.stage.rig.fit(true);
+    this.announce(face_title(this.picked.face(number)));
+    if (is_narrow()) this.tabs.open(false);
   }
 
   visit(place: Place): void {
     if (!place.point) return;
     this.visited = this.places.findIndex(({ point }) => is_same(point, place.point));
-    this.store.change({ marked: { point: place.point, label: place.label, warn: place.warn } });
-    this.stage.rig.approach(place.point, true);
-    this.announce(`${place.label}: ${place.detail}`);
-    if (matchMedia("(max-width: 799px)").matches) this.tabs.open(false);
+    this.store.change({ marked: { point: place.point, label: place.label, warn: place.warn }, alone: false });
+    if (place.hexahedron !== undefined) this.show_alone(place.hexahedron);
+    else this.stage.rig.approach(place.point, true);
+    this.announce(`${place.label}${place.detail ? `: ${place.detail}` : ""}`);
+    if (is_narrow()) this.tabs.open(false);
   }
 
   visit_next(step: number): void {
@@ -222,7 +244,7 @@ export class Application implements Commands {
   }
 
   clear(): void {
-    this.store.change({ picked: -1, hexahedron: -1, marked: null });
+    this.store.change({ picked: -1, hexahedron: -1, face: null, alone: false, marked: null });
   }
 
   /** Says something on the screen for a while, and to who hears the page. */
@@ -240,23 +262,30 @@ export class Application implements Commands {
   }
 
   panels_changed(): void {
-    this.draw_plot();
+    this.picked.draw_plot(this.theme);
   }
 
+  private moved(): void {
+    this.picked.draw_plot(this.theme);
+    this.place_tag(this.store.current);
+  }
+
+  /** Centres the part in what controls and legends leave free. */
   private resize(): void {
     const { clientWidth, clientHeight } = by_id("stage");
     if (clientWidth <= 0 || clientHeight <= 0) return;
-    // The part is centred in what the controls leave free.
-    const controls = by_id("panel-view");
-    const left = getComputedStyle(controls).position === "fixed" ? controls.getBoundingClientRect().right : 0;
-    const top = by_id("toolbar").getBoundingClientRect().bottom;
-    // As high as the tallest legend, so that choosing another map does not move the part.
-    const covered = { left, top, bottom: left > 0 ? 108 : 52 };
+    // A legend that is opened on a phone lies over the part for as long as it is open: what counts is its button.
+    const is_over = is_narrow() && by_id("legend").hasAttribute("open");
+    this.free = free_area(by_id("stage"), kOver.filter((part) => !is_over || part !== "legend").map(by_id));
+    if (is_over) this.free.bottom = Math.min(this.free.bottom, clientHeight - kLegendButton);
     // The observer calls at first too, and where nothing is any different.
-    const size = JSON.stringify([clientWidth, clientHeight, covered, devicePixelRatio]);
+    const size = JSON.stringify([clientWidth, clientHeight, this.free, devicePixelRatio]);
     if (size === this.shown_size) return;
     this.shown_size = size;
-    this.stage.resize(clientWidth, clientHeight, covered);
+    const { left, right, top, bottom } = this.free;
+    by_id("note").style.left = `${(left + right) / 2}px`;
+    this.stage.resize(clientWidth, clientHeight, { left, right: clientWidth - right, top, bottom: clientHeight - bottom });
+    this.place_tag(this.store.current);
   }
 
   private apply(settings: Settings): void {
@@ -267,54 +296,31 @@ export class Application implements Commands {
     this.follow(settings);
     by_id("legend-body").replaceChildren(...legend_body(settings, this.theme, this.stage.field));
     by_id("shown").textContent = this.what_is_shown();
-    this.show_picked(settings);
+    this.picked.show(settings, this.theme);
+    this.place_tag(settings);
   }
 
-  private show_picked({ picked: cell, hexahedron }: Settings): void {
-    const hexahedra = this.stage.field.hexahedra;
-    if (hexahedra && hexahedron >= 0) {
-      if (hexahedron === this.shown_hexahedron) return;
-      this.shown_hexahedron = hexahedron;
-      this.shown_cell = -2;
-      this.cell_panel = null;
-      const described = this.describe_hexahedron(hexahedron);
-      this.tabs.rename("cell", hexahedron_title(described));
-      return show_hexahedron(by_id("panel-cell"), described, this.scene.unit, {
-        go: () => this.stage.rig.approach(hexahedra.center(hexahedron), true),
-        close: () => this.clear(),
-      });
-    }
-    this.shown_hexahedron = -1;
-    if (cell !== this.shown_cell) {
-      this.shown_cell = cell;
-      this.tabs.rename("cell", cell < 0 ? (this.scene.tets ? "Tet" : "Cell") : title_of(this.shown, cell));
-      if (cell < 0) {
-        this.cell_panel = null;
-        show_no_cell(by_id("panel-cell"));
-      } else {
-        this.cell_panel = show_cell(by_id("panel-cell"), this.describe(cell), this.scene.unit, {
-          go: () => this.stage.rig.approach(element_center(this.shown, cell), true),
-          close: () => this.clear(),
-        });
-      }
-    }
-    this.draw_plot();
-  }
-
-  private draw_plot(): void {
-    if (!this.cell_panel || by_id("panel-cell").hidden) return;
-    const { camera } = this.stage.rig;
-    camera.updateMatrixWorld();
-    const e = camera.matrixWorld.elements;
-    const column = (k: number): Vector => [e[4 * k], e[4 * k + 1], e[4 * k + 2]];
-    this.cell_panel.plot.draw(this.cell_panel.canvas, column(0), column(1), column(2), this.theme);
+  /** Names what is looked at, beside it. */
+  private place_tag(settings: Settings): void {
+    const { hexahedron, alone, face, marked } = settings;
+    const solid = this.stage.shows_hexahedra;
+    let [text, point, around]: [string, Vector | null, number] = ["", null, 0];
+    if (alone && solid && hexahedron >= 0) {
+      const described = this.picked.describe_hexahedron(hexahedron);
+      const { hexahedra } = this.stage.field;
+      [text, point, around] = [`${hexahedron_title(described)}: scaled Jacobian ${shape_text(described.scaled_jacobian)}`, hexahedra!.center(hexahedron), hexahedra!.radius(hexahedron) / this.stage.pixel];
+    } else if (face) [text, point] = [face_title(this.picked.face(face.number)), face.point];
+    else if (marked) [text, point] = [marked.label, marked.point];
+    this.tag.show(text, point && this.stage.in_view(point), around, this.free);
   }
 
   private what_is_shown(): string {
     const { cells, surface, unit, tets, tet_counts } = this.shown;
     const parts: string[] = [];
     const { hexahedra } = this.stage.field;
-    if (hexahedra && this.store.current.layers.hexahedra) return [`${hexahedra_text(hexahedra.count)} shown.`, hexahedra_shown(this.shown)].filter(Boolean).join(" ");
+    const { layers, alone, hexahedron } = this.store.current;
+    if (hexahedra && layers.hexahedra && alone && hexahedron >= 0) return "One hexahedron, with those around it faintly.";
+    if (hexahedra && layers.hexahedra) return [`${hexahedra_text(hexahedra.count)} shown.`, hexahedra_shown(this.shown)].filter(Boolean).join(" ");
     if (tets) parts.push(`The field on ${plural(tets.corners.length / 4, "tet")}.`);
     else if (tet_counts) parts.push(`The field on ${plural(tet_counts.total, "tet")}; the cut shows the frames of those at the centres of ${plural(cells.shown, "cell")}.`);
     else if (this.scene.tets) parts.push(`The grid of ${plural(cells.total, "cell")} from which the field on the tets started; the answer is about the tets.`);
@@ -344,11 +350,11 @@ export class Application implements Commands {
         await this.stage.drawn();
       },
       pickAt: (x: number, y: number) => {
-        const cell = this.pick_at(x, y);
-        if (cell < 0) return null;
-        return this.store.current.hexahedron >= 0 ? this.describe_hexahedron(cell) : this.describe(cell);
+        const element = this.pick_at(x, y);
+        if (element < 0) return null;
+        return this.stage.shows_hexahedra ? this.picked.describe_hexahedron(element) : this.picked.describe(element);
       },
-      describe: (element: number) => this.describe(element),
+      describe: (element: number) => this.picked.describe(element),
       link: () => this.link,
       cutAcross: async (axis: CutAxis) => {
         this.cut_across(axis);
@@ -361,6 +367,7 @@ export class Application implements Commands {
       },
       screenOf: (point: Vector) => this.stage.on_screen(subtract(point, this.scene.origin)),
       cellBox: (cell: number) => cell_box(this.shown, cell),
+      free: () => this.free,
       drawn: () => this.stage.drawn(),
     });
   }

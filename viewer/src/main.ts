@@ -5,13 +5,12 @@ import { embedded_report, embedded_scene } from "./scene/embedded.ts";
 import type { Report } from "./scene/report.ts";
 import { Application } from "./application.ts";
 import { view_context } from "./view/view_context.ts";
-import { place_groups, place_lists } from "./ui/places.ts";
-import { answer_blocks, answer_of } from "./ui/answer.ts";
+import { faces_of_model } from "./scene/faces.ts";
+import { answer_of } from "./ui/answer.ts";
 import { badge } from "./ui/badge.ts";
-import { about, alignment_scale, key_numbers, tet_alignment, unfinished_card, warnings_list } from "./ui/summary.ts";
-import { by_id, element } from "./ui/dom.ts";
-import { hexahedra_badge, hexahedra_card } from "./ui/hex_panel.ts";
-import { levels_chart } from "./ui/levels_chart.ts";
+import { by_id } from "./ui/dom.ts";
+import { hexahedra_badge } from "./ui/mesh_summary.ts";
+import { report_blocks } from "./ui/report_panel.ts";
 import { Tabs } from "./ui/tabs.ts";
 import { show_no_cell } from "./ui/cell_panel.ts";
 
@@ -21,15 +20,11 @@ function show_report(report: Report): void {
   document.title = `${name} · Crossgrain`;
   by_id("part-name").textContent = name;
   by_id("part-name").title = path;
-  const answer = answer_of(report);
-  const judged = hexahedra_badge(report) ?? answer;
+  const judged = hexahedra_badge(report) ?? answer_of(report);
   by_id("badge").replaceChildren(...badge(judged));
   by_id("badge").className = `badge ${judged?.judgement ?? ""}`;
   // Filled again, with buttons that fly there, once there is a view.
-  const verdict = element("div", { id: "answer" }, ...answer_blocks(answer, [], [0, 0, 0], () => {}));
-  const places = element("div", { id: "places" }, ...place_lists(place_groups(report, [0, 0, 0]), [0, 0, 0], () => {}));
-  const blocks = [unfinished_card(report), hexahedra_card(report), verdict, key_numbers(report), tet_alignment(report), alignment_scale(report), places, levels_chart(report), warnings_list(report), about(report)];
-  by_id("panel-field").replaceChildren(...blocks.filter((block) => block !== null));
+  by_id("panel-field").replaceChildren(...report_blocks(report, faces_of_model(report, null), null));
 }
 
 function say_instead_of_view(text: string): void {

@@ -47,6 +47,10 @@ export interface Settings {
   below: number;
   /** The hexahedron that is picked, or -1: its place in the scene. */
   hexahedron: number;
+  /** Whether only this one is shown, with those around it faintly. */
+  alone: boolean;
+  /** The face of the model that is picked, and a point of it in the scene's coordinates. */
+  face: { number: number; point: Vector } | null;
   /** A place that is marked, in the scene's coordinates. */
   marked: { point: Vector; label: string; warn: boolean } | null;
 }
@@ -71,6 +75,8 @@ export class SettingsStore {
     picked: -1,
     below: 1,
     hexahedron: -1,
+    alone: false,
+    face: null,
     marked: null,
   };
   private listeners: ((settings: Settings) => void)[] = [];
@@ -81,8 +87,11 @@ export class SettingsStore {
 
   change(part: Part): void {
     const { cut, glyph, layers, ...rest } = part;
+    // Who asks for another cut or other hexahedra wants to see them.
+    const shows_others = cut !== undefined || rest.below !== undefined || rest.field !== undefined || layers?.hexahedra !== undefined;
     this.current = {
       ...this.current,
+      ...(shows_others ? { alone: false } : {}),
       ...rest,
       cut: { ...this.current.cut, ...cut },
       glyph: { ...this.current.glyph, ...glyph },

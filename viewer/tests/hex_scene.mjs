@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bar of tets with the hexahedra that were made of it: cubes, of which one vertex is moved, so that eight are worse, and one is inverted.
 
-import { tets_scene } from "./tet_scene.mjs";
+import { face_of_bar, tets_scene } from "./tet_scene.mjs";
 
 const [kHalf, kLength, kCubes] = [10, 40, 6];
 const kCounts = [kCubes, kCubes, 2 * kCubes];
@@ -33,30 +33,55 @@ export function scaled_jacobian(points, corners) {
   }));
 }
 
-export function hex_mesh() {
+/** With `inverted` the first of them, at a corner of the bar; without, the worst one is inside. */
+export function hex_mesh(inverted = true) {
   const { points, hexahedra } = box_of_hexahedra([-kHalf, -kHalf, -kLength / 2], [2 * kHalf, 2 * kHalf, kLength], kCounts);
   const moved = points.findIndex((point) => point.every((value) => Math.abs(value) < 1e-9));
   points[moved] = [1, 0.8, 1.2];
   // Its top and bottom are exchanged.
-  hexahedra[0] = [...hexahedra[0].slice(4), ...hexahedra[0].slice(0, 4)];
-  return { points, hexahedra, shapes: hexahedra.map((corners) => scaled_jacobian(points, corners)) };
+  if (inverted) hexahedra[0] = [...hexahedra[0].slice(4), ...hexahedra[0].slice(0, 4)];
+  const shapes = hexahedra.map((corners) => scaled_jacobian(points, corners));
+  const worst = shapes.indexOf(Math.min(...shapes));
+  return { points, hexahedra, shapes, worst, worst_place: center_of(points, hexahedra[worst]) };
 }
 
-export function hexahedra_scene() {
-  const { points, hexahedra, shapes } = hex_mesh();
+export const center_of = (points, corners) => [0, 1, 2].map((axis) => corners.reduce((sum, point) => sum + points[point][axis] / corners.length, 0));
+
+const kFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
+
+/** Of each hexahedron the faces of the bar that its six sides lie on; 0 inside. */
+export const faces_of_sides = ({ points, hexahedra }) => hexahedra.map((corners) => kFaces.map((face) => face_of_bar(center_of(points, face.map((corner) => corners[corner])), kHalf, kLength / 2)));
+
+export function hexahedra_scene(inverted = true) {
+  const mesh = hex_mesh(inverted);
+  const { points, hexahedra, shapes, worst_place } = mesh;
   const mean = shapes.reduce((sum, shape) => sum + shape / shapes.length, 0);
+  const faces = faces_of_sides(mesh).flat();
+  const quads = (number) => faces.filter((face) => face === number).length;
+  const failed = inverted ? { outcome: "partial", reason: "1 hexahedron is inverted", next: "mesh it with edges of 3.6", places: [worst_place] } : { outcome: "all-hex" };
   return tets_scene({
-    header: { hexahedra: { total: hexahedra.length, shown: hexahedra.length, inverted: 1, mean } },
+    header: { hexahedra: { total: hexahedra.length, shown: hexahedra.length, inverted: Number(inverted), mean } },
     arrays: {
       hex_points: ["f32", 3, points.flat()],
       hex_corners: ["u32", 8, hexahedra.flat()],
       hex_shape: ["f32", 0, shapes],
+      hex_face: ["u32", 6, faces],
     },
     report: {
       hexahedra: {
-        outcome: "partial", reason: "1 hexahedron is inverted", next: "mesh it with edges of 3.6", places: [[-8, -8, -18]], hexahedra: hexahedra.length,
-        scaled_jacobian: { min: Math.min(...shapes), mean, inverted: 1, worst_place: [-8, -8, -18] },
+        ...failed, hexahedra: hexahedra.length, size: 4, used_size: 10 / 3,
+        scaled_jacobian: { min: Math.min(...shapes), mean, inverted: Number(inverted), worst_place },
+        volume: 15980, model_volume: 16000, area: 4008, model_area: 4000, model: "cad", largest_distance: 0.134, largest_distance_place: [10, 10, 0],
+        largest_distance_of_model: 0.1, largest_distance_of_model_place: [-10, 10, 0],
+        attempts: [{ kind: "tets", tets: 8748, tet_size: 2 }, { kind: "repair", tets: 8748 }, { kind: "smaller hexahedra", tets: 8748 }], best_attempt: 1,
       },
+      unmarked_files: [{ name: "hexahedra.hexex" }, { name: "onto.frames" }],
+      // The mesh lacks one of the faces that the model has.
+      faces: [
+        ...[1, 2, 3, 4].map((number) => ({ number, kind: "plane", area: 800, centre: [[-10, 0, 0], [10, 0, 0], [0, -10, 0], [0, 10, 0]][number - 1], quads: quads(number) })),
+        ...[5, 6].map((number) => ({ number, kind: "plane", area: 400, centre: [0, 0, number === 5 ? -20 : 20], quads: quads(number) })),
+        { number: 7, kind: "cylinder", area: 0.8, centre: [10, 10, 20], quads: 0 },
+      ],
     },
   });
 }

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { edge_lengths, hexahedron_along, hexahedron_center, HexSkins, number_of } from "../src/scene/hexahedra.ts";
+import { edge_lengths, hexahedron_center, hexahedron_centered_at, hexahedron_of, hexahedron_radius, HexSkins, number_of, side_along } from "../src/scene/hexahedra.ts";
 import { decode_scene } from "../src/scene/scene.ts";
 import { box_of_hexahedra, hex_mesh, hexahedra_scene } from "./hex_scene.mjs";
 import { tets_scene } from "./tet_scene.mjs";
@@ -15,7 +15,7 @@ const kFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7
 
 const hexahedra_of = ({ points, hexahedra }) => ({
   total: hexahedra.length, inverted: 0, mean: 1, points: Float32Array.from(points.flat()), corners: Uint32Array.from(hexahedra.flat()),
-  shape: new Float32Array(hexahedra.length).fill(1), number: new Uint32Array(0),
+  shape: new Float32Array(hexahedra.length).fill(1), number: new Uint32Array(0), face: new Int32Array(0),
 });
 
 /** Faces that one of the shown hexahedra has alone, found by counting: their points, sorted, with the hexahedron. */
@@ -31,15 +31,38 @@ function counted_faces(hexahedra, is_shown) {
   return [...uses].filter(([, users]) => users.length === 1).map(([key, [user]]) => `${key}: ${user}`).sort();
 }
 
-const faces_of = ({ hexahedron, corners }) =>
-  Array.from(hexahedron, (number, face) => `${[...corners.subarray(4 * face, 4 * face + 4)].sort((a, b) => a - b).join()}: ${number}`).sort();
+const faces_of = ({ side, corners }) =>
+  Array.from(side, (number, face) => `${[...corners.subarray(4 * face, 4 * face + 4)].sort((a, b) => a - b).join()}: ${hexahedron_of(number)}`).sort();
 
 test("a page without hexahedra has none, and one with them has all", () => {
   assert.equal(decode_scene(tets_scene().scene).hexahedra, null);
   assert.equal(scene.hexahedra.shape.length, mesh.hexahedra.length);
   assert.equal(scene.grid.hexahedra, null);
-  assert.equal(number_of(scene.hexahedra, 7), 7);
-  assert.equal(number_of({ ...scene.hexahedra, number: Uint32Array.of(3, 9) }, 1), 9);
+});
+
+test("hexahedra are numbered from 1, as files number them", () => {
+  assert.equal(number_of(scene.hexahedra, 0), 1);
+  assert.equal(number_of(scene.hexahedra, 7), 8);
+  assert.equal(number_of({ ...scene.hexahedra, number: Uint32Array.of(3, 9) }, 1), 10);
+});
+
+test("around a hexahedron are those that share a vertex with it", () => {
+  const skins = new HexSkins(scene.hexahedra);
+  for (const hexahedron of [0, 15, 6 * 6 * 5 + 6 * 2 + 3]) {
+    const own = new Set(mesh.hexahedra[hexahedron]);
+    const expected = mesh.hexahedra.map((corners, k) => Number(k !== hexahedron && corners.some((corner) => own.has(corner))));
+    assert.deepEqual([...skins.around(hexahedron)], expected);
+    assert.ok([7, 11, 17, 26].includes(expected.reduce((sum, flag) => sum + flag, 0)));
+  }
+});
+
+test("a hexahedron is found by its centre, and not by a place beside it", () => {
+  for (const hexahedron of [0, mesh.worst, 200]) {
+    const center = hexahedron_center(new HexSkins(scene.hexahedra), hexahedron);
+    assert.equal(hexahedron_centered_at(scene.hexahedra, center), hexahedron);
+    assert.equal(hexahedron_centered_at(scene.hexahedra, center.map((value) => value + 0.1)), -1);
+  }
+  assert.ok(Math.abs(hexahedron_radius(scene.hexahedra, 5) - (Math.sqrt(3) * 10) / 6) < 1e-5);
 });
 
 test("the outside of any hexahedra is that which counting finds", () => {
@@ -86,9 +109,11 @@ test("a ray meets the nearest of the shown hexahedra", () => {
   const all = skins.skin(new Uint8Array(mesh.hexahedra.length).fill(1));
   for (const hexahedron of [3, 20, 35]) {
     const [x, y] = hexahedron_center(skins, hexahedron);
-    assert.equal(hexahedron_along(scene.hexahedra, all, [x, y, -100], [0, 0, 1]), hexahedron);
-    assert.equal(hexahedron_along(scene.hexahedra, all, [x, y, -100], [0, 0, -1]), -1);
-    assert.equal(hexahedron_along(scene.hexahedra, all, [x + 30, y, -100], [0, 0, 1]), -1);
+    const { side, point } = side_along(scene.hexahedra, all, [x, y, -100], [0, 0, 1]);
+    assert.equal(hexahedron_of(side), hexahedron);
+    assert.ok(Math.hypot(point[0] - x, point[1] - y, point[2] + 20) < 1e-4, `${point}`);
+    assert.equal(side_along(scene.hexahedra, all, [x, y, -100], [0, 0, -1]), null);
+    assert.equal(side_along(scene.hexahedra, all, [x + 30, y, -100], [0, 0, 1]), null);
   }
 });
 

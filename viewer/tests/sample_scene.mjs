@@ -204,6 +204,7 @@ export function components_scene() {
   arcs.push({ points: line([-4, 0, -7.5], [4, 3, 7.5], 18, (share) => [0, 4 * Math.sin(2 * Math.PI * share), 0]), index: 0, type: 2, verdict: 1 });
   arcs.push({ points: line([2, -7, -2], [-3, 6, 1], 14), index: -0.5 });
   arcs.push({ points: line([10, 22, 3], [18, 30, -3], 14), index: 0.25, type: 1, verdict: 1 });
+  const faulty = arcs.find(({ verdict }) => verdict === 1);
   nodes.push({ point: [0, 0, 0], verdict: 1, degree: 3 }, { point: [14, 26, 0], verdict: 2, degree: 2 });
   return assemble({
     solid, depth: 6, lattice: { low: [-12, -12, -12], unit: 1.28 }, arcs, nodes,
@@ -220,7 +221,7 @@ export function components_scene() {
       answer: "this field has no hexahedra at 46 26 6: the edge of 30 degrees is too sharp for a hexahedron; 'crossgrain hex' may still find a mesh; next: give the edge a fillet or a chamfer",
       reasons: [
         { kind: "knife_edge", verdict: "not_meshable", count: 1, place: [46, 26, 6], text: "the edge of 30 degrees is too sharp for a hexahedron", next: "give the edge a fillet or a chamfer" },
-        { kind: "arc", verdict: "not_meshable", count: 2, place: [0, 0, 0], text: "an arc has a turning point: frames rotate about it in both senses", next: "try other cells" },
+        { kind: "arc", verdict: "not_meshable", count: 2, place: faulty.points[Math.floor(faulty.points.length / 2)], text: "an arc has a turning point: frames rotate about it in both senses", next: "try other cells" },
         { kind: "walls", verdict: "undecided", count: 0, place: [0, 0, 0], text: "walls under 4 % of the surface have fewer than 2.5 cells", next: "use a resolution of 101" },
       ],
       model: { path: "C:\\parts\\five components <v2>.step", triangles: solid.surface.triangles.length, watertight: false, components: 5, unit: "mm" },

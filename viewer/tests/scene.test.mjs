@@ -5,13 +5,13 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kClasses, ramp_color } from "../src/math/color_maps.ts";
-import { faults_of } from "../src/scene/faults.ts";
+import { faults_of, reasons_with_faults } from "../src/scene/faults.ts";
 import { build_octree, cell_at, surface_cell_at } from "../src/scene/octree.ts";
 import { cell_box, cell_center, cell_count, decode_scene, element_quaternion } from "../src/scene/scene.ts";
 import { cut_normal, cut_offset, SettingsStore } from "../src/settings.ts";
 import { answer_of, worst_places } from "../src/ui/answer.ts";
 import { amount, plural } from "../src/ui/dom.ts";
-import { place_groups } from "../src/ui/places.ts";
+import { fault_groups, input_groups } from "../src/ui/places.ts";
 import { link_from, link_of } from "../src/view_link.ts";
 import { fraction_of, ranges_of } from "../src/view/ranges.ts";
 import { fault_counts, mark_counts } from "../src/view/line_marks.ts";
@@ -145,12 +145,24 @@ test("faults are lines, nodes, creases and corners that are not meshable or unde
   assert.deepEqual(faults_of({}), []);
 });
 
+test("a reason has the faults of its kind, of which it names one, and those that no reason has are others", () => {
+  const { report } = made.components;
+  const { reasons, others } = reasons_with_faults(report);
+  assert.deepEqual(reasons.map(({ reason, faults }) => [reason.kind, ...faults.map(({ part, number }) => `${part} ${number}`)]), [["knife_edge", "crease 3"], ["arc", "line 11", "line 13"], ["walls"]]);
+  assert.deepEqual(others.map(({ part, number }) => `${part} ${number}`), ["node 9", "node 10", "crease 2", "corner 1"]);
+  // Ends that are close together are told from nodes inside that are undecided.
+  const node = (on_boundary, place) => ({ verdict: "undecided", place, on_boundary, arcs: [0, 1] });
+  const singularity = { arcs: 0, nodes: 0, node_list: [node(false, [1, 0, 0]), node(true, [2, 0, 0]), node(true, [3, 0, 0])] };
+  const ends = { kind: "ends", verdict: "undecided", count: 2, place: [2, 0, 0], text: "2 arcs end close to one another" };
+  assert.deepEqual(reasons_with_faults({ singularity, reasons: [ends] }).reasons[0].faults.map(({ number }) => number), [2, 3]);
+});
+
 test("with tets, faults are those of the field on the tets", () => {
   const { report } = made.components;
   const onto = { tets: 9, singularity: { arcs: 0, nodes: 0, corner_list: [{ creases: [1], verdict: "undecided", place: [1, 2, 3] }] } };
   const faults = faults_of({ ...report, onto });
   assert.deepEqual(faults.map(({ part, place }) => [part, place]), [["corner", [1, 2, 3]]]);
-  assert.match(faults[0].words, /^1 crease, /);
+  assert.equal(faults[0].words, "creases of 1 hexahedra");
 });
 
 test("marks are counted by their shape, and by their colour with those of other faults", () => {
@@ -162,7 +174,7 @@ test("marks are counted by their shape, and by their colour with those of other 
 });
 
 test("places are relative to the origin of the scene", () => {
-  const [faults] = place_groups(made.components.report, [10, 20, 30]);
+  const [faults] = fault_groups(faults_of(made.components.report), [10, 20, 30]);
   const [first] = faults_of(made.components.report);
   assert.deepEqual(faults.kinds[0].places[0].point, first.place.map((value, k) => value - [10, 20, 30][k]));
 });
@@ -171,25 +183,26 @@ test("one is no plural", () => {
   assert.deepEqual([plural(1, "node"), plural(0, "node"), plural(1000, "node")], ["1 node", "0 nodes", "1,000 nodes"]);
   assert.deepEqual([amount(1, "cell"), amount(0.99999, "cell"), amount(2.75, "cell")], ["1 cell", "1 cell", "2.75 cells"]);
   const input = { findings: [{ kind: "duplicated triangles", count: 1 }, { kind: "holes", count: 2 }, { kind: "inside-out parts", count: 1 }] };
-  const found = place_groups({ input }, [0, 0, 0]).find(({ name }) => name === "Found in the input");
-  assert.deepEqual(found.kinds.map(({ summary }) => summary), ["1 duplicated triangle", "2 holes", "1 inside-out part"]);
+  const found = input_groups({ input }, [0, 0, 0]).find(({ name }) => name === "Found in the input");
+  assert.deepEqual(found.kinds.map(({ places: [{ label }] }) => label), ["1 duplicated triangle", "2 holes", "1 inside-out part"]);
 });
 
 test("findings of a kind are summed up in words", () => {
   const crease = (verdict) => ({ hexahedra: 0, least_angle_deg: 30, verdict, place: [0, 0, 0] });
   const crease_list = [...Array(10).fill(crease("not_meshable")), crease("undecided"), crease("meshable")];
-  const [, creases] = place_groups({ singularity: { arcs: 0, nodes: 0, crease_list } }, [0, 0, 0]);
+  const [, creases] = fault_groups(faults_of({ singularity: { arcs: 0, nodes: 0, crease_list } }), [0, 0, 0]);
   assert.deepEqual(creases.kinds.map(({ summary, places }) => [summary, places.length]), [["Ten edges below 45 degrees", 10], ["One edge where rounding decides", 1]]);
 });
 
 test("the worst places are faults first, then where the field is off its surface or turns most, each once", () => {
   const bad = worst_places(made.components.report, scenes.components, [0, 0, 0]);
-  assert.deepEqual(bad.map(({ point }) => point), [[46, 26, 6], [0, 0, 0], made.components.report.singularity.arc_list[10].place]);
+  const { arc_list } = made.components.report.singularity;
+  assert.deepEqual(bad.map(({ point }) => point), [[46, 26, 6], arc_list[10].place, arc_list[12].place]);
   const good = worst_places(made.ball.report, scenes.ball, scenes.ball.origin);
-  assert.deepEqual(good.map(({ detail }) => detail), ["largest energy density"]);
+  assert.deepEqual(good.map(({ label }) => label), ["Largest energy density"]);
   const tilted = { ...scenes.ball, cell_alignment_deg: scenes.ball.cell_alignment_deg.map((value, k) => (k === 100 ? 30 : value)), cell_class: scenes.ball.cell_class.map((value, k) => (k === 100 ? 1 : value)) };
   const [first] = worst_places(made.ball.report, tilted, scenes.ball.origin);
-  assert.match(first.label, /^Surface 30° off/);
+  assert.deepEqual([first.label, first.detail], ["Worst alignment", "30°"]);
   assert.deepEqual(first.point, cell_center(tilted, 100));
 });
 

@@ -11,7 +11,7 @@ import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
 import { filled_page } from "./scene_writer.mjs";
 import { tets_scene } from "./tet_scene.mjs";
 
-export const kScenes = { ball: ball_scene, plate: plate_scene, components: components_scene, regions: regions_scene, tets: tets_scene, hexahedra: hexahedra_scene };
+export const kScenes = { ball: ball_scene, plate: plate_scene, components: components_scene, regions: regions_scene, tets: tets_scene, hexahedra: hexahedra_scene, all_hex: () => hexahedra_scene(false) };
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const folder = process.argv[2] ?? ".";

@@ -37,6 +37,13 @@ export const middle_of = (points, tet) => [0, 1, 2].map((axis) => tet.reduce((su
 /** The frame of a line of this index along z through the origin. */
 export const frame_around = (index) => ([x, y]) => about([0, 0, 1], index * Math.atan2(y, x));
 
+/** The number of the face of a bar, from 1, that a point lies on; 0 inside. */
+export function face_of_bar(point, half, half_length) {
+  const at = point.map((value, axis) => value / (axis === 2 ? half_length : half));
+  const axis = at.findIndex((value) => Math.abs(value) > 1 - 1e-9);
+  return axis < 0 ? 0 : 2 * axis + (at[axis] > 0 ? 2 : 1);
+}
+
 /** `more` may add to header, arrays and report. */
 export function tets_scene(more = {}) {
   const [half, length, cubes] = [10, 40, 9];
@@ -51,6 +58,7 @@ export function tets_scene(more = {}) {
   const middle_line = line([0, 0, -length / 2], [0, 0, length / 2], 8);
   const { vertices, triangles } = solid.surface;
   const tilt_at = ([x, y]) => 12 * Math.abs(Math.sin(2 * Math.atan2(y, x)));
+  const face_of_triangle = (triangle) => face_of_bar([0, 1, 2].map((axis) => triangle.reduce((sum, vertex) => sum + vertices[vertex][axis] / 3, 0)), half, length / 2);
   const singularity = {
     arcs: 1, nodes: 0, arc_list: [{ type: "regular", index: 0.25, verdict: "meshable", place: [0, 0, 0] }], node_list: [],
     crease_list: Array.from({ length: 3 }, (_, k) => ({ hexahedra: 0, least_angle_deg: 30, verdict: "not_meshable", place: [half, half, 5 * k - 5] })), corner_list: [],
@@ -66,6 +74,7 @@ export function tets_scene(more = {}) {
         tet_frame: ["i16", 4, middles.flatMap((middle) => frame_around(0.25)(middle).map((part) => Math.round(32767 * part)))],
         tet_energy_density: ["u16", 0, energy.map(upper_half)],
         tet_alignment_deg: ["u16", 0, middles.map((middle, k) => upper_half(outside[k] ? tilt_at(middle) : -1))],
+        surface_face: ["u32", 0, triangles.map(face_of_triangle)],
         surface_alignment_deg: ["u16", 0, vertices.map((vertex) => upper_half(tilt_at(vertex)))],
         surface_energy_density: ["u16", 0, vertices.map(([x, y]) => upper_half(0.2 / (x * x + y * y + 0.2)))],
         grid_surface_vertices: ["f32", 3, vertices.flat()],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hexahedra of a scene: which are shown, and the outside of these.
 
-import { dot, length_of, subtract, type Vector } from "../math/frame.ts";
+import { add, cross, dot, length_of, scaled, subtract, type Vector } from "../math/frame.ts";
 
 export interface Hexahedra {
   /** Of the mesh; the arrays have no more than a page can show. */
@@ -13,8 +13,10 @@ export interface Hexahedra {
   corners: Uint32Array;
   /** Scaled Jacobians. */
   shape: Float32Array;
-  /** Of each its number in the mesh; empty if all of it is here. */
+  /** Of each its place in the mesh, from 0; empty if all of it is here. */
   number: Uint32Array;
+  /** Numbers of the faces of the model that the six sides of each lie on, 0 for none; empty where no face has a number. */
+  face: Int32Array;
 }
 
 /** Hexahedra that are inverted, or flat but for rounding, have at most this scaled Jacobian. */
@@ -26,14 +28,19 @@ const kEdges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], 
 
 export const hexahedron_count = ({ shape }: Hexahedra): number => shape.length;
 
-export const number_of = ({ number }: Hexahedra, hexahedron: number): number => number[hexahedron] ?? hexahedron;
+/** Its number in the files, from 1. */
+export const number_of = ({ number }: Hexahedra, hexahedron: number): number => (number[hexahedron] ?? hexahedron) + 1;
 
 /** Faces that one of the shown hexahedra has alone. */
 export interface HexSkin {
-  hexahedron: Uint32Array;
+  /** 6 k + s: side s of hexahedron k. */
+  side: Uint32Array;
   /** Four points of each face. */
   corners: Uint32Array;
 }
+
+/** The hexahedron that has a side. */
+export const hexahedron_of = (side: number): number => Math.floor(side / 6);
 
 /** Finds skins: what is behind each face is found once. */
 export class HexSkins {
@@ -63,22 +70,52 @@ export class HexSkins {
     const { corners } = this.hexahedra;
     let count = 0;
     for (let side = 0; side < this.behind.length; ++side) if (this.is_outside(side, is_shown)) ++count;
-    const skin = { hexahedron: new Uint32Array(count), corners: new Uint32Array(4 * count) };
+    const skin = { side: new Uint32Array(count), corners: new Uint32Array(4 * count) };
     let next = 0;
     for (let side = 0; side < this.behind.length; ++side) {
       if (!this.is_outside(side, is_shown)) continue;
-      const hexahedron = Math.floor(side / 6);
-      skin.hexahedron[next] = hexahedron;
-      kFaces[side % 6].forEach((corner, k) => (skin.corners[4 * next + k] = corners[8 * hexahedron + corner]));
+      skin.side[next] = side;
+      kFaces[side % 6].forEach((corner, k) => (skin.corners[4 * next + k] = corners[8 * hexahedron_of(side) + corner]));
       ++next;
     }
     return skin;
   }
 
+  /** Of each hexahedron whether it has a vertex of this one; not of itself. */
+  around(hexahedron: number): Uint8Array {
+    const { corners, shape } = this.hexahedra;
+    const own = new Set(corners.subarray(8 * hexahedron, 8 * hexahedron + 8));
+    const is_around = new Uint8Array(shape.length);
+    for (let k = 0; k < corners.length; ++k) if (own.has(corners[k])) is_around[k >> 3] = 1;
+    is_around[hexahedron] = 0;
+    return is_around;
+  }
+
   private is_outside(side: number, is_shown: Uint8Array): boolean {
     const behind = this.behind[side];
-    return is_shown[Math.floor(side / 6)] === 1 && (behind < 0 || is_shown[behind] === 0);
+    return is_shown[hexahedron_of(side)] === 1 && (behind < 0 || is_shown[behind] === 0);
   }
+}
+
+// Of a hexahedron with its centre at a place: how far off that is, in its radii. Places are rounded to single precision.
+const kAtCenter = 1e-2;
+
+/** The hexahedron with its centre at a point; -1 where none has. */
+export function hexahedron_centered_at(hexahedra: Hexahedra, [x, y, z]: Vector): number {
+  const centers = centers_of(hexahedra);
+  let best = -1;
+  let least = Infinity;
+  for (let k = 0; k < centers.length / 3; ++k) {
+    const distance = (centers[3 * k] - x) ** 2 + (centers[3 * k + 1] - y) ** 2 + (centers[3 * k + 2] - z) ** 2;
+    if (distance < least) [best, least] = [k, distance];
+  }
+  return best >= 0 && Math.sqrt(least) <= kAtCenter * hexahedron_radius(hexahedra, best) ? best : -1;
+}
+
+/** Half the largest distance of two of its corners from one another. */
+export function hexahedron_radius({ points, corners }: Hexahedra, hexahedron: number): number {
+  const at = Array.from(corners.subarray(8 * hexahedron, 8 * hexahedron + 8), (corner) => [...points.subarray(3 * corner, 3 * corner + 3)] as Vector);
+  return Math.max(...at.flatMap((a) => at.map((b) => length_of(subtract(a, b))))) / 2;
 }
 
 export function hexahedron_center({ centers }: HexSkins, hexahedron: number): Vector {
@@ -99,18 +136,18 @@ export function edge_lengths(hexahedra: Hexahedra, hexahedron: number): { least:
   return { least: Math.min(...lengths), most: Math.max(...lengths) };
 }
 
-/** The first that a ray meets of the shown ones; -1 where it meets none. */
-export function hexahedron_along({ points }: Hexahedra, { hexahedron, corners }: HexSkin, origin: Vector, direction: Vector): number {
-  let best = { hexahedron: -1, distance: Infinity };
+/** The first side of the shown hexahedra that a ray meets, and where; null where it meets none. */
+export function side_along({ points }: Hexahedra, { side, corners }: HexSkin, origin: Vector, direction: Vector): { side: number; point: Vector } | null {
+  let best = { side: -1, distance: Infinity };
   const at = (corner: number): Vector => [points[3 * corner], points[3 * corner + 1], points[3 * corner + 2]];
-  for (let face = 0; face < hexahedron.length; ++face) {
+  for (let face = 0; face < side.length; ++face) {
     const [a, b, c, d] = [0, 1, 2, 3].map((k) => at(corners[4 * face + k]));
     for (const [p, q, r] of [[a, b, c], [a, c, d]]) {
       const distance = ray_meets(origin, direction, p, q, r);
-      if (distance < best.distance) best = { hexahedron: hexahedron[face], distance };
+      if (distance < best.distance) best = { side: side[face], distance };
     }
   }
-  return best.hexahedron;
+  return best.side < 0 ? null : { side: best.side, point: add(origin, scaled(direction, best.distance)) };
 }
 
 /** Where along a ray it meets a triangle (Möller and Trumbore 1997); infinity where it does not. */
@@ -127,8 +164,6 @@ function ray_meets(origin: Vector, direction: Vector, a: Vector, b: Vector, c: V
   return s >= 0 && t >= 0 && s + t <= 1 && distance > 0 ? distance : Infinity;
 }
 
-const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-
 function centers_of({ points, corners, shape }: Hexahedra): Float32Array {
   const centers = new Float32Array(3 * shape.length);
   for (let k = 0; k < corners.length; ++k) {
@@ -143,7 +178,7 @@ function neighbours_of({ corners, points, shape }: Hexahedra): Int32Array {
   const sorted = new Uint32Array(4 * sides);
   const starts = new Uint32Array(points.length / 3 + 1);
   for (let side = 0; side < sides; ++side) {
-    const face = kFaces[side % 6].map((corner) => corners[8 * Math.floor(side / 6) + corner]).sort((a, b) => a - b);
+    const face = kFaces[side % 6].map((corner) => corners[8 * hexahedron_of(side) + corner]).sort((a, b) => a - b);
     sorted.set(face, 4 * side);
     ++starts[face[0] + 1];
   }
@@ -157,8 +192,8 @@ function neighbours_of({ corners, points, shape }: Hexahedra): Int32Array {
       for (let other = k + 1; other < starts[point + 1] && behind[order[k]] < 0; ++other) {
         const [a, b] = [order[k], order[other]];
         if (behind[b] >= 0 || [1, 2, 3].some((corner) => sorted[4 * a + corner] !== sorted[4 * b + corner])) continue;
-        behind[a] = Math.floor(b / 6);
-        behind[b] = Math.floor(a / 6);
+        behind[a] = hexahedron_of(b);
+        behind[b] = hexahedron_of(a);
       }
     }
   }

@@ -75,6 +75,13 @@ export interface Warning {
   advice?: string;
 }
 
+/** One of the tries of a search for hexahedra. */
+export interface Attempt {
+  kind: string;
+  tets?: number;
+  tet_size?: number;
+}
+
 /** Of hexahedra that were made. */
 export interface HexReport {
   outcome: string;
@@ -82,7 +89,34 @@ export interface HexReport {
   next?: string;
   places?: Vector[];
   hexahedra: number;
+  /** Edge asked for, and taken. */
+  size?: number;
+  used_size?: number;
   scaled_jacobian?: { min: number; mean: number; inverted: number; worst_place?: Vector };
+  volume?: number;
+  model_volume?: number;
+  area?: number;
+  model_area?: number;
+  /** What they are measured against: `cad`, `surface` or `tets`. */
+  model?: string;
+  largest_distance?: number;
+  largest_distance_place?: Vector;
+  largest_distance_of_model?: number;
+  largest_distance_of_model_place?: Vector;
+  attempts?: Attempt[];
+  /** Number of the attempt that made the mesh, from 0. */
+  best_attempt?: number;
+}
+
+/** A face of the model. */
+export interface FaceEntry {
+  /** As in the files, from 1. */
+  number: number;
+  kind?: string;
+  area?: number;
+  centre?: Vector;
+  /** Of a mesh of hexahedra. */
+  quads?: number;
 }
 
 export interface Report {
@@ -107,6 +141,8 @@ export interface Report {
   unfinished?: { resolution_asked?: number; levels_missing?: number; tets_missing?: boolean };
   onto?: { tets: number; singularity?: Singularity; normal_deg?: Statistics; crease_deg?: Statistics; unfollowed_share?: number };
   hexahedra?: HexReport;
+  faces?: FaceEntry[];
+  unmarked_files?: { name: string }[];
   warnings?: Warning[];
 }
 

@@ -59,6 +59,8 @@ export interface Scene extends Outside {
   surface_energy_density: Float32Array;
   /** Of the triangles of the surface; empty with a single one. */
   surface_region: Uint16Array;
+  /** Numbers of the faces of the model that the triangles of the surface lie on, 0 for none; empty where no face has a number. */
+  surface_face: Int32Array;
   crease_points: Float32Array;
   crease_starts: Uint32Array;
   cell_corner: Uint16Array;
@@ -144,6 +146,7 @@ export function decode_scene(bytes: Uint8Array<ArrayBuffer>): Scene {
     surface_alignment_deg: widened(read("surface_alignment_deg", "u16")),
     surface_energy_density: widened(read("surface_energy_density", "u16")),
     surface_region: read("surface_region", "u16"),
+    surface_face: signed(read("surface_face", "u32")),
     crease_points: read("crease_points", "f32"),
     crease_starts: read("crease_starts", "u32"),
     cell_corner: read("cell_corner", "u16"),
@@ -201,6 +204,7 @@ function with_tets(scene: Scene, read: Read, header: Header): Scene {
   const grid: Scene = {
     ...scene, ...outside(read, "grid_", header.grid_surface ?? { triangles_total: 0, triangles_shown: 0 }),
     tet_counts: null, hexahedra: null, surface_alignment_deg: none, surface_energy_density: none, surface_region: new Uint16Array(0),
+    surface_face: new Int32Array(0),
   };
   const tets: Tets = {
     points: read("tet_points", "f32"),
@@ -220,8 +224,12 @@ function hexahedra_of(read: Read, { total, inverted, mean }: NonNullable<Header[
     corners: read("hex_corners", "u32"),
     shape: read("hex_shape", "f32"),
     number: read("hex_number", "u32"),
+    face: signed(read("hex_face", "u32")),
   };
 }
+
+/** Numbers below zero are written as two's complement. */
+const signed = (numbers: Uint32Array): Int32Array => new Int32Array(numbers.buffer, numbers.byteOffset, numbers.length);
 
 /** Single precision from its upper sixteen bits. */
 function widened(upper: Uint16Array): Float32Array {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a hexahedral mesh can follow the field, in the words of the report: a badge, and a card with all reasons.
+// Whether a hexahedral mesh can follow the field, in the words of the report: a badge, and a card with all reasons, each once, with its
+// places.
 
-import { add, subtract, type Vector } from "../math/frame.ts";
+import { subtract, type Vector } from "../math/frame.ts";
+import { reasons_with_faults, type Fault } from "../scene/faults.ts";
 import type { Reason, Report, VerdictName } from "../scene/report.ts";
 import { element_alignment, element_center, element_count, element_energy, type Scene } from "../scene/scene.ts";
 import { sign, type Badge, type Judgement } from "./badge.ts";
-import { element, measured, plural } from "./dom.ts";
-import { hexahedra_places } from "./hex_panel.ts";
+import { element, measured } from "./dom.ts";
 import type { Place } from "./place.ts";
-import { place_groups, place_lists } from "./places.ts";
+import { fault_groups, folded_places, in_words, place_button, place_lists, place_of_fault, worst_buttons, type Go } from "./places.ts";
 
 const kVerdicts: Record<VerdictName, { judgement: Judgement; short: string; sign: string }> = {
   meshable: { judgement: "good", short: "hexahedra fit locally", sign: "✓" },
@@ -16,62 +17,80 @@ const kVerdicts: Record<VerdictName, { judgement: Judgement; short: string; sign
   undecided: { judgement: "unsure", short: "undecided", sign: "?" },
 };
 
-export interface Answer extends Badge {
+interface Answer extends Badge {
+  /** It has the first reason. */
   sentence: string;
-  /** Those of the verdict first; the sentence has the first. */
-  reasons: Reason[];
 }
 
 /** The answer of the report; null where it has none. */
 export function answer_of(report: Report): Answer | null {
   const verdict = report.verdict && kVerdicts[report.verdict];
-  return verdict ? { ...verdict, sentence: report.answer ?? verdict.short, reasons: report.reasons ?? [] } : null;
+  return verdict ? { ...verdict, sentence: report.answer ?? verdict.short } : null;
 }
 
-/** The place of a reason in the scene's coordinates. */
-export function place_of(reason: Reason, origin: Vector): Place {
-  const at = reason.count > 1 ? `at ${plural(reason.count, "place")}` : "";
-  return {
-    label: reason.text.replace(/^./, (letter) => letter.toUpperCase()),
-    detail: [at, reason.next ? `next: ${reason.next}` : ""].filter(Boolean).join("; "),
-    point: reason.count > 0 ? subtract(reason.place, origin) : null,
-    warn: reason.verdict === "not_meshable",
-  };
+/** A reason with the places that it is about: its faults, or the one that it names. */
+interface Because {
+  reason: Reason;
+  places: Place[];
 }
 
-/** The card with the worst places beneath the answer, and all reasons besides the one in its sentence. */
-export function answer_blocks(answer: Answer | null, worst: Place[], origin: Vector, go: (place: Place) => void): HTMLElement[] {
-  if (!answer) return [];
-  const further = answer.reasons.slice(1).map((reason) => place_of(reason, origin));
-  return [answer_card(answer, worst, origin, go), ...place_lists([{ name: "Further reasons", kinds: further.map((place) => ({ summary: place.label, places: [place] })) }], origin, go)];
+// What is at the place of a reason that has none of the faults.
+const kNamedPlaces: Record<string, string> = { other_at_half: "Differing line", creases: "Worst crease" };
+
+function reasons_of(report: Report, origin: Vector): { reasons: Because[]; others: Fault[] } {
+  const { reasons, others } = reasons_with_faults(report);
+  const named = ({ kind, place, verdict, count }: Reason): Place[] =>
+    (count > 0 ? [{ label: `${kNamedPlaces[kind] ?? "Place"}${count > 1 ? `, one of ${count}` : ""}`, detail: "", point: subtract(place, origin), warn: verdict === "not_meshable" }] : []);
+  return { reasons: reasons.map(({ reason, faults }) => ({ reason, places: faults.length > 0 ? faults.map((fault) => place_of_fault(fault, origin)) : named(reason) })), others };
 }
 
-function answer_card(answer: Answer, worst: Place[], origin: Vector, go: (place: Place) => void): HTMLElement {
+/** All places that the answer is about, the first of each reason first. */
+export function places_of_answer(report: Report, origin: Vector): Place[] {
+  const { reasons, others } = reasons_of(report, origin);
+  return [...reasons.flatMap(({ places }) => places.slice(0, 1)), ...reasons.flatMap(({ places }) => places.slice(1)), ...others.map((fault) => place_of_fault(fault, origin))];
+}
+
+/** The card with the worst places beneath the answer, then the further reasons, and faults that no reason names. */
+export function answer_blocks(report: Report, scene: Scene | null, origin: Vector, go: Go | null): HTMLElement[] {
+  const answer = answer_of(report);
+  const { reasons, others } = reasons_of(report, origin);
+  const [first, ...further] = reasons;
+  const blocks = answer ? [answer_card(answer, worst_places(report, scene, origin), first?.places ?? [], origin, go)] : [];
+  if (further.length > 0) {
+    blocks.push(element("section", { class: "block", "data-testid": "further-reasons" }, element("h2", {}, "Further reasons"),
+      element("ul", { class: "reasons" }, ...further.map((because) => reason_item(because, origin, go)))));
+  }
+  return [...blocks, ...place_lists(fault_groups(others, origin), origin, go)];
+}
+
+function answer_card(answer: Answer, worst: Place[], of_first: Place[], origin: Vector, go: Go | null): HTMLElement {
   const { short, sentence, judgement } = answer;
   const rest = sentence.startsWith(short) ? sentence.slice(short.length) : ` (${sentence})`;
   return element("div", { class: `verdict ${judgement}`, "data-testid": "verdict" },
     sign(answer),
     element("div", {},
       element("p", { class: "words", "data-testid": "answer" }, element("strong", { class: "verdict-text" }, short), rest),
-      worst.length > 0 ? element("div", { class: "worst", role: "group", "aria-label": "Worst places" }, ...worst.map((place, k) =>
-        element("button", {
-          type: "button", "data-testid": "worst-place", click: () => go(place),
-          title: `${place.label}${place.detail ? `; ${place.detail}` : ""}, at ${add(place.point!, origin).map((value) => measured(value)).join(", ")}`,
-        }, element("span", { class: "rank", "aria-hidden": "true" }, String(k + 1)), element("span", {}, place.short ?? place.label)))) : null,
+      worst_buttons(worst, origin, go),
+      of_first.length > 1 && go ? folded_places(in_words(of_first.length, "place", "places"), of_first, origin, go) : null,
     ),
   );
 }
 
-// Beyond these an angle or an energy is worth a look: below them a field follows its surface.
+function reason_item({ reason: { text, next }, places }: Because, origin: Vector, go: Go | null): HTMLElement {
+  return element("li", {},
+    element("p", { class: "words" }, text, next ? element("span", { class: "soft" }, `; next: ${next}`) : null),
+    places.length === 1 && go ? element("div", { class: "places" }, place_button(places[0], origin, go)) : null,
+    places.length > 1 && go ? folded_places(in_words(places.length, "place", "places"), places, origin, go) : null);
+}
+
+// Beyond this an angle is worth a look: below it a field follows its surface.
 const kLeastTilt = 5;
 const kWorst = 3;
 
 /** The worst three places: what is impossible or undecided, then where the field is farthest off its surface, then where it turns most. */
 export function worst_places(report: Report, scene: Scene | null, origin: Vector): Place[] {
-  const found = [...hexahedra_places(report, origin).slice(0, 1), ...(report.reasons ?? []).map((reason) => place_of(reason, origin)), ...place_groups(report, origin).slice(0, 2).flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))];
-  if (scene) found.push(...extremes(scene));
   const places: Place[] = [];
-  for (const place of found) {
+  for (const place of [...places_of_answer(report, origin), ...(scene ? extremes(scene) : [])]) {
     if (places.length === kWorst) break;
     if (place.point && !places.some(({ point }) => point!.every((value, k) => value === place.point![k]))) places.push(place);
   }
@@ -88,7 +107,7 @@ function extremes(scene: Scene): Place[] {
   }
   const places: Place[] = [];
   const unit = scene.unit ? ` ${scene.unit}⁻²` : "";
-  if (tilted >= 0) places.push({ label: `Surface ${measured(tilt)}° off the nearest axis`, detail: "worst alignment", point: element_center(scene, tilted), warn: false });
-  if (tense >= 0) places.push({ label: `Energy density ${measured(energy)}${unit}`, detail: "largest energy density", short: "Largest energy density", point: element_center(scene, tense), warn: false });
+  if (tilted >= 0) places.push({ label: "Worst alignment", detail: `${measured(tilt)}°`, point: element_center(scene, tilted), warn: false });
+  if (tense >= 0) places.push({ label: "Largest energy density", detail: `${measured(energy)}${unit}`, point: element_center(scene, tense), warn: false });
   return places;
 }

@@ -15,8 +15,8 @@ export function describe_element(scene: Scene, element: number, degree: Degree) 
   const is_tet = scene.tets !== null;
   return {
     kind: is_tet ? "tet" : "cell",
-    /** Its number among the tets of the mesh, or the cells of the page, from 0. */
-    number: element,
+    /** Its number among the tets of the mesh, or the cells of the page, from 1. */
+    number: element + 1,
     center: add(element_center(scene, element), scene.origin),
     size: is_tet ? null : cell_box(scene, element).side,
     class: is_tet ? null : (kClasses[scene.cell_class[element]]?.name ?? "unknown"),
@@ -30,7 +30,7 @@ export function describe_element(scene: Scene, element: number, degree: Degree) 
 }
 
 /** "Tet 1,234" */
-export const title_of = (scene: Scene, element: number): string => `${scene.tets ? "Tet" : "Cell"} ${counted(element)}`;
+export const title_of = (scene: Scene, element: number): string => `${scene.tets ? "Tet" : "Cell"} ${counted(element + 1)}`;
 
 export type CellDescription = ReturnType<typeof describe_element>;
 

@@ -54,7 +54,7 @@ export class Keyboard {
         element("button", { type: "button", autofocus: true, click: () => this.dialog.close(), "data-testid": "help-close" }, "Close")),
       element("div", { class: "help-body" },
         element("section", {}, element("h3", {}, "Pointer"), element("dl", { class: "keys-list" },
-          ...[["drag", "turn"], ["right drag, or two fingers", "move"], ["wheel, or pinch", "zoom to the pointer"], ["click, or tap", "pick a cell"], ["double click", "fly to what is there"]]
+          ...[["drag", "turn"], ["right drag, or two fingers", "move"], ["wheel, or pinch", "zoom to the pointer"], ["click, or tap", "pick what is there"], ["double click", "fly to what is there"]]
             .flatMap(([shown, does]) => [element("dt", {}, shown), element("dd", {}, does)]))),
         ...this.groups.map((group) => element("section", {}, element("h3", {}, group.name), element("dl", { class: "keys-list" },
           ...group.keys.flatMap(({ shown, does }) => [element("dt", {}, ...shown.split(" ").map((one) => element("kbd", {}, one))), element("dd", {}, does)])))),

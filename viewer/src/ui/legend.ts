@@ -10,7 +10,6 @@ import type { Range, Ranges } from "../view/ranges.ts";
 import { fault_counts, mark_counts, type FaultMark } from "../view/line_marks.ts";
 import { arc_kind, kArcKinds, type ArcKind } from "../view/singular_lines.ts";
 import { axis_colors, kViewColors } from "../view/view_colors.ts";
-import { two_digits } from "./hex_panel.ts";
 import { counted, drawing, element, measured, superscript } from "./dom.ts";
 
 const kImpossible = "impossible for hexahedra";
@@ -68,7 +67,7 @@ function line_blocks({ layers }: Settings, theme: Theme, scene: Scene, faults: F
 /** Colours of hexahedra, and how many there are and are shown. */
 function shape_list({ total, inverted, mean, shape }: Hexahedra, shown: number, theme: Theme): HTMLElement[] {
   const least = shape.reduce((a, b) => Math.min(a, b), 1);
-  const note = `${two_digits(least)} at least, ${two_digits(mean)} in the mean`;
+  const note = `${measured(least, 2)} at least, ${measured(mean, 2)} in the mean`;
   return [ramp("Scaled Jacobian", css_gradient("shape", theme), linear_ticks({ low: 0, high: 1, logarithmic: false }, ""), note),
     element("div", { class: "legend-block", "data-testid": "legend-hexahedra" },
       element("h3", {}, "Hexahedra"),

@@ -5,10 +5,10 @@ import type { Vector } from "../math/frame.ts";
 
 export interface Place {
   label: string;
-  /** For a button with little room. */
-  short?: string;
   detail: string;
   /** In the scene's coordinates; null where the report names none. */
   point: Vector | null;
   warn: boolean;
+  /** The hexahedron that is there: its place in the scene. */
+  hexahedron?: number;
 }

@@ -19,7 +19,8 @@ export function unfinished_card(report: Report): HTMLElement | null {
   );
 }
 
-function number(name: string, value: string, note = "", test = ""): HTMLElement {
+/** A number with its name above and a note below. */
+export function number(name: string, value: string, note = "", test = ""): HTMLElement {
   return element("div", { class: "number" },
     element("dt", {}, name),
     element("dd", { "data-testid": test || undefined }, value, note ? element("small", {}, note) : null),
@@ -37,7 +38,8 @@ export function key_numbers(report: Report): HTMLElement {
   const lines = singular ? number("Singular lines", counted(singular.arcs), `${plural(singular.nodes, "node")}${onto ? ", on the tets" : ""}`, "number-arcs") : "";
   // Of tets, what concerns them first.
   list.append(...(onto ? [lines, energy] : [energy, lines]));
-  if (report.seconds?.total !== undefined || report.peak_memory_bytes !== undefined) {
+  // Of hexahedra it stands with their numbers.
+  if (!report.hexahedra && (report.seconds?.total !== undefined || report.peak_memory_bytes !== undefined)) {
     const seconds = report.seconds?.total !== undefined ? duration(report.seconds.total) : "–";
     list.append(number("Time", seconds, report.peak_memory_bytes ? memory(report.peak_memory_bytes) : ""));
   }
@@ -105,8 +107,19 @@ export function tet_alignment(report: Report): HTMLElement | null {
   );
 }
 
+/** Whether what a warning says stands in the panel already: as a reason, or with its places in a list. */
+function stands_elsewhere({ kind }: Warning, { reasons = [], input, creases }: Report): boolean {
+  switch (kind) {
+    case "surface_finding": return (input?.findings ?? []).length > 0;
+    case "crowded_corners": return (creases?.crowded_corner_places ?? []).length > 0;
+    case "thin_walls": return reasons.some((reason) => reason.kind === "walls");
+    case "knife_edges": return reasons.some((reason) => reason.kind === "knife_edge");
+    default: return false;
+  }
+}
+
 export function warnings_list(report: Report): HTMLElement | null {
-  const warnings = report.warnings ?? [];
+  const warnings = (report.warnings ?? []).filter((warning) => !stands_elsewhere(warning, report));
   if (warnings.length === 0) return null;
   return element("section", { class: "block" },
     element("h2", {}, "Warnings", element("span", { class: "tally" }, String(warnings.length))),

@@ -29,9 +29,10 @@ const kTurned: Record<UpAxis, (direction: Vector) => Vector> = {
   z: (direction) => direction,
 };
 
-/** Pixels along the sides of the view that controls and legends lie over. */
+/** Pixels along the sides of the view that are not free for the part. */
 export interface Covered {
   left: number;
+  right: number;
   top: number;
   bottom: number;
 }
@@ -43,6 +44,8 @@ const kFittedPoints = 4000;
 const kFilled = 0.92;
 // How often the middle of what is seen is moved to the middle of the view: perspective makes each step a little wrong.
 const kFitRounds = 6;
+// What is approached reaches over this share of what is free, so that what is around it is seen too.
+const kApproached = 0.3;
 // A cut is looked at from this angle beside its normal, so that frames on it show all their axes.
 const kBesideNormal = (28 * Math.PI) / 180;
 
@@ -95,13 +98,13 @@ export class CameraRig {
     this.jump(this.camera.position.clone(), target);
   }
 
-  resize(width: number, height: number, { left, top, bottom }: Covered): void {
+  resize(width: number, height: number, { left, right, top, bottom }: Covered): void {
     // What fitted the view before fits it afterwards: a drawer that opens must not leave the part a dot.
     const offset = this.camera.position.clone().sub(this.controls.target);
     const before = offset.length() > 0 ? this.fitting_distance(offset) : 0;
     this.camera.aspect = width / height;
-    this.free = { width: Math.max(0.2, 1 - left / width), height: Math.max(0.2, 1 - (top + bottom) / height) };
-    this.camera.setViewOffset(width, height, -left / 2, (bottom - top) / 2, width, height);
+    this.free = { width: Math.max(0.2, 1 - (left + right) / width), height: Math.max(0.2, 1 - (top + bottom) / height) };
+    this.camera.setViewOffset(width, height, (right - left) / 2, (bottom - top) / 2, width, height);
     if (before > 0) this.zoom(this.fitting_distance(offset) / before);
   }
 
@@ -142,8 +145,8 @@ export class CameraRig {
     return { position: target.clone().addScaledVector(new Vector3(...direction), distance), target };
   }
 
-  view(name: ViewName, animated: boolean, points = this.points): void {
-    this.look_from(kTurned[this.up](kDirections[name]), animated, points);
+  view(name: ViewName, animated: boolean): void {
+    this.look_from(kTurned[this.up](kDirections[name]), animated);
   }
 
   look_from(direction: Vector, animated: boolean, points = this.points): void {
@@ -152,7 +155,7 @@ export class CameraRig {
   }
 
   /** Looks at a face with this normal from a little beside it, on the side of the first view. */
-  face(normal: Vector, animated: boolean, points: Float32Array): void {
+  face(normal: Vector, animated: boolean, points = this.points): void {
     const first = unit(kTurned[this.up](kDirections.iso));
     const beside = unit(subtract(first, scaled(normal, dot(first, normal))));
     this.look_from(add(scaled(normal, Math.cos(kBesideNormal)), scaled(beside, Math.sin(kBesideNormal))), animated, points);
@@ -163,12 +166,19 @@ export class CameraRig {
     this.look_from(this.direction, animated);
   }
 
-  /** To a place, near enough to see what is around it. */
-  approach(point: Vector, animated: boolean): void {
+  /** To a place, near enough to see what is around it; `radius` is of what is there, 0 if it is a point. */
+  approach(point: Vector, animated: boolean, radius = 0): void {
     const target = new Vector3(...point);
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
-    const distance = Math.min(this.camera.position.distanceTo(this.controls.target), this.fitting_distance(direction) * 0.32);
+    const distance = radius > 0 ? this.distance_to_show(radius / kApproached)
+      : Math.min(this.camera.position.distanceTo(this.controls.target), this.fitting_distance(direction) * 0.32);
     this.fly(target.clone().addScaledVector(direction, distance), target, animated);
+  }
+
+  /** From where a ball of this radius fills what is free. */
+  private distance_to_show(radius: number): number {
+    const share = Math.min(this.free.height, this.camera.aspect * this.free.width);
+    return Math.max(this.controls.minDistance, radius / (share * Math.tan((this.camera.fov * Math.PI) / 360)));
   }
 
   /** Turns around the target, in radians. */

@@ -14,11 +14,12 @@ import { Cut } from "./cut.ts";
 import { CurveView } from "./curve_view.ts";
 import { CutFace } from "./cut_face.ts";
 import { corner_texture, field_textures, set_palette, type FieldTextures } from "./field_textures.ts";
+import { FaceHighlight } from "./face_highlight.ts";
 import { GlyphView } from "./glyphs.ts";
 import { HexView } from "./hex_view.ts";
 import type { FaultMark } from "./line_marks.ts";
 import { PartView } from "./part.ts";
-import { Picker } from "./picking.ts";
+import { Picker, type Hit } from "./picking.ts";
 import { ranges_of, type Ranges } from "./ranges.ts";
 import { shared_uniforms, type SharedUniforms } from "./shared_uniforms.ts";
 import { SingularLines } from "./singular_lines.ts";
@@ -62,6 +63,7 @@ export class FieldView {
   private readonly seams = new LineSegments2(new LineSegmentsGeometry(), line_material(1.4, 0.75));
   private readonly outline = new LineSegments2(new LineSegmentsGeometry(), line_material(1.6, 1));
   private readonly picker: Picker;
+  private readonly highlight: FaceHighlight;
   private drawn_seams: unknown = null;
   private drawn_outline: unknown = null;
 
@@ -75,7 +77,8 @@ export class FieldView {
     this.part = new PartView(scene, this.uniforms, this.ranges);
     this.tet_face = scene.tets ? new TetFace(scene, this.uniforms, this.cut, this.ranges) : null;
     this.cell_face = scene.tets ? null : new CutFace(scene, this.uniforms, this.part.geometry, closed);
-    this.hexahedra = scene.hexahedra ? new HexView(scene.hexahedra, scene.low, scene.high, this.uniforms) : null;
+    this.hexahedra = scene.hexahedra ? new HexView(scene, scene.hexahedra, this.uniforms) : null;
+    this.highlight = new FaceHighlight(scene, this.uniforms);
     this.lines = new SingularLines(scene, faults, this.uniforms);
     this.glyphs = new GlyphView(scene, this.cut);
     this.picker = new Picker(scene, this.octree, this.part.geometry, this.cut);
@@ -86,7 +89,7 @@ export class FieldView {
       lines.frustumCulled = false;
     }
     this.on_cut.add(this.seams, this.outline, this.curves.lines);
-    this.group.add(this.part.group, this.lines.group, this.glyphs.group, this.on_cut);
+    this.group.add(this.part.group, this.lines.group, this.glyphs.group, this.on_cut, this.highlight.mesh);
     for (const face of [this.tet_face, this.cell_face, this.hexahedra]) if (face) this.group.add(face.group);
   }
 
@@ -101,16 +104,19 @@ export class FieldView {
     const offset = this.offset_of(settings);
     this.cut.place(normal, offset);
     this.uniforms.cut.value.set(...normal, offset);
-    this.uniforms.clip.value = cut.on && cut.clip;
     const is_solid = this.shows_hexahedra(settings);
+    const is_alone = is_solid && settings.alone && settings.hexahedron >= 0;
+    const clips = cut.on && cut.clip && !is_alone;
+    this.uniforms.clip.value = clips;
     this.hexahedra?.show(settings, normal, offset);
-    // Around hexahedra of some shapes it tells where these are.
-    this.part.show(layers.part && (!is_solid || settings.below < 1), layers.creases, is_solid ? Math.min(settings.opacity, kAround) : settings.opacity);
-    this.part.cut(normal, offset, cut.on && cut.clip);
+    // Around some of the hexahedra it tells where these are.
+    this.part.show(is_alone || (layers.part && (!is_solid || settings.below < 1)), layers.creases, is_solid ? Math.min(settings.opacity, kAround) : settings.opacity);
+    this.part.cut(normal, offset, clips);
+    this.highlight.show(is_solid ? 0 : (settings.face?.number ?? 0));
     this.cell_face?.place(normal, offset);
     this.cell_face?.show(cut.on && !is_solid, layers.cells);
     this.tet_face?.show(cut.on && !is_solid, layers.cells);
-    this.lines.show(layers.arcs, layers.nodes);
+    this.lines.show(layers.arcs && !is_alone, layers.nodes && !is_alone);
   }
 
   /** Whether hexahedra stand for the part and the face of the cut. */
@@ -134,6 +140,7 @@ export class FieldView {
     this.tet_face?.recolor(colors.cell_line);
     this.hexahedra?.recolor(theme);
     this.part.recolor(scene_color(colors.crease));
+    this.highlight.recolor(colors.picked);
     this.part.set_mapped(settings.map !== "none");
     this.lines.recolor(colors);
     this.seams.material.color = scene_color(colors.seam);
@@ -183,23 +190,9 @@ export class FieldView {
     this.outline.geometry = new LineSegmentsGeometry().setPositions(segments);
   }
 
-  /** The tet or cell at a place of the view, both coordinates -1 ... 1 and y up; -1 where there is none. */
-  pick(x: number, y: number, camera: PerspectiveCamera, settings: Settings): number {
+  /** At a place of the view, both coordinates -1 ... 1 and y up. */
+  pick(x: number, y: number, camera: PerspectiveCamera, settings: Settings): Hit {
     return this.picker.pick(x, y, camera, settings);
-  }
-
-  /** Points that stand for the part in fitting the view: of what the cut leaves, or of all. */
-  points_left(settings: Settings): Float32Array {
-    const { surface_vertices } = this.scene;
-    if (!settings.cut.on || !settings.cut.clip) return surface_vertices;
-    const [normal, offset]: [Vector, number] = [this.cut.normal, this.cut.offset];
-    const kept: number[] = [];
-    for (let k = 0; k < surface_vertices.length; k += 3) {
-      const point: Vector = [surface_vertices[k], surface_vertices[k + 1], surface_vertices[k + 2]];
-      if (normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2] <= offset) kept.push(...point);
-    }
-    for (const value of this.cut.outline) kept.push(value);
-    return kept.length > 0 ? Float32Array.from(kept) : surface_vertices;
   }
 
   /** The smallest distance between frames that shows each of them. */

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which tet or cell is under the pointer: on the face of the cut, or on the surface.
+// Which tet or cell is under the pointer, on the face of the cut or on the surface, and on which face of the model.
 
 import { Raycaster, Vector2, type Mesh, type PerspectiveCamera, Mesh as MeshClass, type BufferGeometry, DoubleSide, MeshBasicMaterial } from "three";
 
 import type { Vector } from "../math/frame.ts";
 import { dot, scaled, subtract } from "../math/frame.ts";
+import { face_of_triangle } from "../scene/faces.ts";
 import { cell_at, surface_cell_at, type Octree } from "../scene/octree.ts";
 import { element_size, type Scene } from "../scene/scene.ts";
 import { tet_at } from "../scene/tet_finder.ts";
@@ -14,6 +15,19 @@ import type { Cut } from "./cut.ts";
 // Below the surface by this share of a tet, to be inside the one that has the face.
 const kBelow = 0.02;
 
+/** What is under a place of the view. */
+export interface Hit {
+  /** A tet, a cell, or of a view of hexahedra one of these; -1 where there is none. */
+  element: number;
+  /** The face of the model, if it is on its surface and has a number, and the point that was hit. */
+  face: Settings["face"];
+}
+
+export const kNothingHit: Hit = { element: -1, face: null };
+
+/** The face of a number, which is 0 without one. */
+export const face_at = (number: number, point: Vector): Settings["face"] => (number === 0 ? null : { number, point });
+
 export class Picker {
   private readonly raycaster = new Raycaster();
   private readonly mesh: Mesh;
@@ -22,20 +36,20 @@ export class Picker {
     this.mesh = new MeshClass(surface, new MeshBasicMaterial({ side: DoubleSide }));
   }
 
-  /** The element at a place of the view, both coordinates -1 ... 1 and y up; -1 where there is none. */
-  pick(x: number, y: number, camera: PerspectiveCamera, settings: Settings): number {
+  /** At a place of the view, both coordinates -1 ... 1 and y up. */
+  pick(x: number, y: number, camera: PerspectiveCamera, settings: Settings): Hit {
     this.raycaster.setFromCamera(new Vector2(x, y), camera);
     const origin = this.raycaster.ray.origin.toArray() as Vector;
     const direction = this.raycaster.ray.direction.toArray() as Vector;
     const { normal, offset } = this.cut;
     const clipped = settings.cut.on && settings.cut.clip;
 
-    let best = { element: -1, distance: Infinity };
+    let best: Hit & { distance: number } = { ...kNothingHit, distance: Infinity };
     if (settings.cut.on) {
       const distance = (offset - dot(normal, origin)) / dot(normal, direction);
       if (distance > 0 && Number.isFinite(distance)) {
         const element = this.on_cut(origin.map((value, k) => value + distance * direction[k]) as Vector);
-        if (element >= 0) best = { element, distance };
+        if (element >= 0) best = { element, face: null, distance };
       }
     }
     if (settings.layers.part && settings.opacity > 0) {
@@ -46,11 +60,11 @@ export class Picker {
         const outward = hit.face ? (hit.face.normal.toArray() as Vector) : ([0, 0, 0] as Vector);
         const element = this.on_surface(point, outward);
         if (element < 0) continue;
-        best = { element, distance: hit.distance };
+        best = { element, face: face_at(face_of_triangle(this.scene, hit.faceIndex ?? -1), point), distance: hit.distance };
         break;
       }
     }
-    return best.element;
+    return { element: best.element, face: best.face };
   }
 
   private on_cut(point: Vector): number {

@@ -12,6 +12,7 @@ import { kRest } from "./curve_view.ts";
 import { FieldView } from "./field_view.ts";
 import { Marks } from "./marks.ts";
 import type { FaultMark } from "./line_marks.ts";
+import type { Hit } from "./picking.ts";
 import { StreamlineView } from "./streamlines.ts";
 import { kViewColors } from "./view_colors.ts";
 
@@ -106,15 +107,14 @@ export class Stage {
     return this.field.offset_of(this.settings);
   }
 
-  /** Looks at the cut from a little beside its normal, or at the whole part without one, so that what is left fills the view. */
+  /** Looks at the cut from a little beside its normal, or at the whole part without one. */
   face_cut(animated: boolean): void {
-    const points = this.field.points_left(this.settings);
-    if (!this.settings.cut.on) return this.rig.view("iso", animated, points);
-    this.rig.face(cut_normal(this.settings), animated, points);
+    if (!this.settings.cut.on) return this.rig.view("iso", animated);
+    this.rig.face(cut_normal(this.settings), animated);
   }
 
   /** Size of a pixel where the camera looks, in model units. */
-  private get pixel(): number {
+  get pixel(): number {
     const { camera, controls } = this.rig;
     return (2 * camera.position.distanceTo(controls.target) * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
   }
@@ -129,19 +129,19 @@ export class Stage {
     return unit * Math.SQRT2 ** Math.round(2 * Math.log2(wanted / unit));
   }
 
-  /** The tet or cell under a place of the canvas in CSS pixels, or -1. */
-  pick(x: number, y: number): number {
-    const { clientWidth, clientHeight } = this.canvas;
-    return this.field.pick((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight, this.rig.camera, this.settings);
+  /** Whether hexahedra are shown, and picked, instead of the field. */
+  get shows_hexahedra(): boolean {
+    return this.field.shows_hexahedra(this.settings);
   }
 
-  /** The hexahedron under a place of the canvas in CSS pixels, or -1; null where the field is shown instead. */
-  pick_hexahedron(x: number, y: number): number | null {
+  /** What is under a place of the canvas in CSS pixels. */
+  pick(x: number, y: number): Hit {
     const { field, rig: { camera } } = this;
-    if (!field.hexahedra || !field.shows_hexahedra(this.settings)) return null;
     const { clientWidth, clientHeight } = this.canvas;
-    const behind = new Vector3((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight, 0.5).unproject(camera);
-    return field.hexahedra.pick(camera.position.toArray(), behind.sub(camera.position).normalize().toArray());
+    const [right, up] = [(2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight];
+    if (!this.shows_hexahedra) return field.pick(right, up, camera, this.settings);
+    const behind = new Vector3(right, up, 0.5).unproject(camera);
+    return field.hexahedra!.pick(camera.position.toArray(), behind.sub(camera.position).normalize().toArray());
   }
 
   get elements(): number {
@@ -152,6 +152,14 @@ export class Stage {
   on_screen(point: Vector): [number, number] {
     const at = new Vector3(...point).project(this.rig.camera);
     return [((at.x + 1) / 2) * this.canvas.clientWidth, ((1 - at.y) / 2) * this.canvas.clientHeight];
+  }
+
+  /** The same, or null where it is not in view. */
+  in_view(point: Vector): [number, number] | null {
+    const { camera } = this.rig;
+    camera.updateMatrixWorld();
+    const at = new Vector3(...point).project(camera);
+    return Math.abs(at.x) <= 1 && Math.abs(at.y) <= 1 && at.z < 1 ? this.on_screen(point) : null;
   }
 
   /** Calls back with the canvas drawn at so many of its pixels a CSS pixel. */

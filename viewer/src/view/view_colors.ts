@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colours of what is drawn in 3D, for the light and the dark page. Singular lines: blue and orange differ for every kind of colour
 // vision, crimson is kept for what hexahedral meshes cannot have, and each kind has a pattern of its own besides. Balls whose verdict is undecided
-// are as violet as in pictures.
+// are as violet as in pictures. Edges of hexahedra are dark on light faces and light on dark ones, in both themes.
 
 import { Color, Vector3 } from "three";
 
@@ -23,7 +23,6 @@ export interface ViewColors {
   undecided: string;
   turn: string;
   picked: string;
-  hex_edge: string;
   inverted: string;
 }
 
@@ -44,7 +43,6 @@ export const kViewColors: Record<Theme, ViewColors> = {
     undecided: "#8b5cc7",
     turn: "#ffd23e",
     picked: "#d6006c",
-    hex_edge: "#26303b",
     inverted: "#d916d3",
   },
   dark: {
@@ -63,7 +61,6 @@ export const kViewColors: Record<Theme, ViewColors> = {
     undecided: "#b79cff",
     turn: "#ffd23e",
     picked: "#ff5fae",
-    hex_edge: "#0d1116",
     inverted: "#f04bff",
   },
 };
@@ -77,3 +74,6 @@ export const axis_colors = (theme: Theme): [string, string, string] => kAxisColo
 export const shader_color = (hex: string): Vector3 => new Vector3(...parse_color(hex));
 /** A colour for materials of three.js, which convert it. */
 export const scene_color = (hex: string): Color => new Color(hex);
+
+/** Of hexahedra: on light faces, and on dark ones. */
+export const kHexEdges = { dark: "#1a222b", light: "#eef3f8" };

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh of hexahedra in numbers: the answer, sizes and numbers beside those asked for, the worst hexahedron, how it fits the model, the
+// way to it, files.
+
+import { subtract, type Vector } from "../math/frame.ts";
+import { hexahedron_centered_at, number_of } from "../scene/hexahedra.ts";
+import type { HexReport, Report } from "../scene/report.ts";
+import type { Scene } from "../scene/scene.ts";
+import { sign, type Badge } from "./badge.ts";
+import { counted, duration, element, measured, memory, plural } from "./dom.ts";
+import { hexahedra_text, hexahedron_title, shape_text } from "./hex_panel.ts";
+import type { Place } from "./place.ts";
+import { in_words, place_lists, worst_buttons, type Go } from "./places.ts";
+import { number } from "./summary.ts";
+
+const kOutcomes: Record<string, Badge> = {
+  "all-hex": { judgement: "good", short: "all-hex", sign: "✓" },
+  flawed: { judgement: "unsure", short: "flawed mesh", sign: "!" },
+  partial: { judgement: "unsure", short: "partial mesh", sign: "!" },
+  none: { judgement: "bad", short: "no mesh", sign: "!" },
+};
+
+/** Whether hexahedra fill the model; null if none were asked for. */
+export const hexahedra_badge = ({ hexahedra }: Report): Badge | null => (hexahedra ? (kOutcomes[hexahedra.outcome] ?? kOutcomes.partial) : null);
+
+/** The answer, why it is not another, and the worst hexahedron. */
+export function mesh_card(report: Report, scene: Scene | null, origin: Vector, go: Go | null): HTMLElement {
+  const outcome = hexahedra_badge(report)!;
+  const { hexahedra, reason, next } = report.hexahedra!;
+  return element("div", { class: `verdict ${outcome.judgement}`, "data-testid": "hexahedra" },
+    sign(outcome),
+    element("div", {},
+      element("p", { class: "words" }, element("strong", { class: "verdict-text" }, outcome.short), `: ${hexahedra_text(hexahedra)}`),
+      reason ? element("p", { class: "fine" }, `${reason}${next ? `; ${next}` : ""}.`) : null,
+      worst_buttons([...worst_hexahedron(report, scene, origin), ...worst_fit(report, origin)], origin, go)),
+  );
+}
+
+/** The worst hexahedron; none if the report names none. */
+function worst_hexahedron({ hexahedra }: Report, scene: Scene | null, origin: Vector): Place[] {
+  const shapes = hexahedra?.scaled_jacobian;
+  if (!hexahedra || hexahedra.hexahedra === 0 || !shapes?.worst_place) return [];
+  const place = place_of_hexahedron(subtract(shapes.worst_place, origin), scene);
+  return [{ ...place, label: "Worst hexahedron", detail: shape_text(shapes.min), warn: shapes.inverted > 0 }];
+}
+
+/** A hexahedron, where one has its centre there, or a point. */
+function place_of_hexahedron(point: Vector, scene: Scene | null): Pick<Place, "point" | "hexahedron"> {
+  const hexahedron = scene?.hexahedra ? hexahedron_centered_at(scene.hexahedra, point) : -1;
+  return hexahedron < 0 ? { point } : { point, hexahedron };
+}
+
+/** The worst hexahedron, the worst fit, and where the mesh lacks some or has bad ones. */
+export function mesh_places(report: Report, scene: Scene | null, origin: Vector): Place[] {
+  return [...worst_hexahedron(report, scene, origin), ...worst_fit(report, origin), ...failing_places(report, scene, origin)];
+}
+
+function failing_places({ hexahedra }: Report, scene: Scene | null, origin: Vector): Place[] {
+  if (!hexahedra || hexahedra.outcome === "all-hex") return [];
+  return (hexahedra.places ?? []).map((at, k) => {
+    const place = place_of_hexahedron(subtract(at, origin), scene);
+    const label = place.hexahedron === undefined ? `Place ${k + 1}` : hexahedron_title({ number: number_of(scene!.hexahedra!, place.hexahedron) });
+    return { ...place, label, detail: "", warn: true };
+  });
+}
+
+/** The places that the reason counts. */
+export function failing_list(report: Report, scene: Scene | null, origin: Vector, go: Go | null): HTMLElement[] {
+  const places = failing_places(report, scene, origin);
+  return places.length === 0 ? [] : place_lists([{ name: "Where it fails", kinds: [{ summary: in_words(places.length, "place", "places"), places }] }], origin, go);
+}
+
+/** Used size and number beside those asked for, shapes, fit, way, files, cost. */
+export function mesh_numbers(report: Report, scene: Scene | null): HTMLElement[] {
+  const mesh = report.hexahedra!;
+  const unit = report.model?.unit ? ` ${report.model.unit}` : "";
+  const list = element("dl", { class: "numbers", "data-testid": "numbers" });
+  const { size, used_size, scaled_jacobian: shapes } = mesh;
+  if (used_size) list.append(number("Size of hexahedra", `${measured(used_size)}${unit}`, size ? (size === used_size ? "as asked for" : `${measured(size)}${unit} asked for`) : "", "number-size"));
+  list.append(number("Hexahedra", counted(mesh.hexahedra), expected_text(mesh), "number-hexahedra"));
+  if (shapes && mesh.hexahedra > 0) list.append(number("Worst scaled Jacobian", shape_text(shapes.min), [worst_number(mesh, scene), `${measured(shapes.mean, 2)} in the mean`].filter(Boolean).join(", "), "number-worst"));
+  if (report.seconds?.total !== undefined) list.append(number("Time", duration(report.seconds.total), report.peak_memory_bytes ? memory(report.peak_memory_bytes) : ""));
+  const facts: [string, string, string][] = [["Fit", fit_text(mesh, unit), "mesh-fit"], ["Inverted", shapes?.inverted ? counted(shapes.inverted) : "", "mesh-inverted"], ["Way", way_text(mesh), "mesh-way"], ["Files", files_text(report), "mesh-files"]];
+  const told = facts.filter(([, text]) => text !== "");
+  return [list, element("dl", { class: "facts" }, ...told.flatMap(([name, text, test]) => [element("dt", {}, name), element("dd", { "data-testid": test }, text)]))];
+}
+
+/** How many would fill the model at the size asked for. */
+function expected_text({ size, model_volume }: HexReport): string {
+  if (!size || !model_volume) return "";
+  const cubes = Math.max(1, model_volume / size ** 3);
+  return `about ${measured(Number(cubes.toPrecision(2)), 2)} at the size asked for`;
+}
+
+function worst_number({ scaled_jacobian: shapes }: HexReport, scene: Scene | null): string {
+  if (!scene?.hexahedra || !shapes?.worst_place) return "";
+  const hexahedron = hexahedron_centered_at(scene.hexahedra, subtract(shapes.worst_place, scene.origin));
+  return hexahedron < 0 ? "" : `of hexahedron ${counted(number_of(scene.hexahedra, hexahedron))}`;
+}
+
+const kModels: Record<string, string> = { cad: "CAD model", surface: "given surface", tets: "given tets" };
+
+function fit_text(mesh: HexReport, unit: string): string {
+  const { hexahedra, volume, model_volume, area, model_area, model } = mesh;
+  if (hexahedra === 0) return "";
+  const off = (name: string, of: number | undefined, all: number | undefined): string => (of !== undefined && all ? `${name} ${percent(of / all)}` : "");
+  const sizes = [off("volume", volume, model_volume), off("area", area, model_area)].filter(Boolean).join(", ");
+  const farthest = farthest_of(mesh);
+  return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, farthest ? `at most ${measured(farthest.distance, 2)}${unit} from the surface` : ""].filter(Boolean).join("; ");
+}
+
+/** The largest distance of mesh and model from one another, and where it is. */
+function farthest_of({ largest_distance, largest_distance_place, largest_distance_of_model, largest_distance_of_model_place }: HexReport): { distance: number; place?: Vector } | null {
+  if (largest_distance === undefined) return null;
+  const of_model = largest_distance_of_model ?? 0;
+  return of_model > largest_distance ? { distance: of_model, place: largest_distance_of_model_place } : { distance: largest_distance, place: largest_distance_place };
+}
+
+/** Where the mesh fits worst. */
+function worst_fit({ hexahedra, model }: Report, origin: Vector): Place[] {
+  const farthest = hexahedra && hexahedra.hexahedra > 0 ? farthest_of(hexahedra) : null;
+  if (!farthest?.place || farthest.distance === 0) return [];
+  return [{ label: "Worst fit", detail: `${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`, point: subtract(farthest.place, origin), warn: false }];
+}
+
+/** With its sign: +0.12 %. */
+const percent = (ratio: number): string => `${ratio < 1 ? "−" : "+"}${measured(Math.abs(100 * (ratio - 1)), 2)} %`;
+
+const kWays: Record<string, string> = { repair: "repaired", "part of the model": "part of the model left out", "smaller hexahedra": "smaller hexahedra" };
+
+function way_text({ attempts = [], best_attempt = 0 }: HexReport): string {
+  const best = attempts[best_attempt];
+  if (!best) return "";
+  const along = best.tets ? `field on ${plural(best.tets, "tet")}` : "";
+  return [`attempt ${counted(best_attempt + 1)} of ${counted(attempts.length)}`, [along, kWays[best.kind] ?? ""].filter(Boolean).join(", ")].filter(Boolean).join(": ");
+}
+
+// What any result with hexahedra has, and how names of what was asked for besides begin.
+const kMeshFiles = ["hexahedra.vtu", "hexahedra.msh", "hexahedra.mesh", "hexahedra.inp"];
+const kMeshFileStart = "hexahedra";
+
+/** The files that have the mesh, and its map. */
+function files_text({ hexahedra, unmarked_files = [] }: Report): string {
+  if (hexahedra!.hexahedra === 0) return "";
+  return [...new Set([...kMeshFiles, ...unmarked_files.map(({ name }) => name).filter((name) => name.startsWith(kMeshFileStart))])].join(", ");
+}
