@@ -59,18 +59,20 @@ function(crossgrain_component name)
   set_property(GLOBAL PROPERTY CROSSGRAIN_LIBRARIES_OF_${name} ${COMPONENT_LIBRARIES})
 endfunction()
 
-# crossgrain_gtests(TARGET [SLOW pattern...]): every test of a program as a test of ctest. Those whose names match a
-# pattern of Google Test (Suite.*, *.Name) get the label "slow"; `ctest -LE slow` runs the others.
+# crossgrain_gtests(TARGET [SLOW pattern...]): every suite of a program as a test of ctest, named after both. Tests whose names match a pattern
+# of Google Test (Suite.*, *.Name) get the label "slow", those of a suite together; `ctest -LE slow` runs the others.
 function(crossgrain_gtests target)
   cmake_parse_arguments(GTESTS "" "" "SLOW" ${ARGN})
-  if(NOT GTESTS_SLOW)
-    gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
-    return()
-  endif()
   list(JOIN GTESTS_SLOW ":" slow)
-  gtest_discover_tests(${target} TEST_FILTER "-${slow}" TEST_LIST ${target}_quick DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
-  gtest_discover_tests(${target} TEST_FILTER "${slow}" TEST_LIST ${target}_slow DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300
-                                                                                                 LABELS slow)
+  string(REGEX REPLACE "^crossgrain_|_tests$" "" name "${target}")
+  set(suites "${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake")
+  add_custom_command(
+    TARGET ${target} POST_BUILD
+    COMMAND /usr/bin/python3 "${PROJECT_SOURCE_DIR}/cmake/discover_suites.py" $<TARGET_FILE:${target}> ${name} "${suites}" "${slow}"
+    BYPRODUCTS "${suites}" VERBATIM)
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake"
+       "if(EXISTS \"${suites}\")\n  include(\"${suites}\")\nelse()\n  add_test(${name}.not_built ${target}_NOT_BUILT)\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake")
 endfunction()
 
 # crossgrain_layer_test(NAME SOURCES ... [SLOW pattern...]): one test program for a layer, linked with it and those below.

@@ -110,7 +110,7 @@ std::vector<std::uint64_t> equal_cuts(std::uint64_t leaves, int ranks) {
 }
 
 std::uint64_t LevelShares::fewest_leaves() const {
-  return exchange_.ranks() > 1 ? kBlockedCells : std::numeric_limits<std::uint64_t>::max();
+  return exchange_.ranks() > 1 ? blocked_cells() : std::numeric_limits<std::uint64_t>::max();
 }
 
 std::optional<LevelStart> LevelShares::begin(const Solid& solid, const SolveTuning& options,

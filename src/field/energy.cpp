@@ -133,7 +133,7 @@ BoundaryValues boundary_sums(const GridLevel& level, const Solid& solid,
                              std::span<const StoredQuaternion> frames) {
   const Share share = level.share();
   // A level that can be shared has the same chunks in one process and in several.
-  const std::size_t grain = share.of_all < kBlockedCells ? level.leaves_per_task() : kParallelGrain;
+  const std::size_t grain = share.of_all < blocked_cells() ? level.leaves_per_task() : kParallelGrain;
   std::vector<BoundaryValues> sums((share.size() + grain - 1) / grain);
   const auto add = [](BoundaryValues& sum, const BoundaryValues& term, double factor) {
     sum.of_frame += factor * term.of_frame;

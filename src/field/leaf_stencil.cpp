@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -118,7 +119,19 @@ std::uint8_t parity_colour(CellAddress cell) {
   return static_cast<std::uint8_t>(((x ^ z) & 1) + 2 * ((y ^ z) & 1) + 4 * (cell.depth() & 1));
 }
 
+std::size_t blocked_cells_asked() {
+  constexpr std::size_t kBlockedCells = 200000;
+  const char* setting = std::getenv("CROSSGRAIN_BLOCKED_CELLS");
+  const auto asked = static_cast<std::size_t>(setting == nullptr ? 0 : std::strtoull(setting, nullptr, 10));
+  return asked > 0 ? asked : kBlockedCells;
+}
+
 }  // namespace
+
+std::size_t blocked_cells() {
+  static const std::size_t cells = blocked_cells_asked();
+  return cells;
+}
 
 Connectivity connectivity_of(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
                              const LeafConnections& connections, double diagonal_share) {
@@ -130,7 +143,7 @@ Connectivity connectivity_of(const GridLevel& level, std::span<const FaceNeighbo
   Adjacency adjacency(level.size(), stencil.units(), [&](std::size_t i, Adjacency::RowInUnits& row) {
     if (share.owns(i)) stencil.row_of(static_cast<CellIndex>(i), row);
   });
-  SweepOrder order = share.is_whole() && level.size() < kBlockedCells
+  SweepOrder order = share.is_whole() && level.size() < blocked_cells()
                          ? SweepOrder(colouring_of(colours))
                          : SweepOrder(adjacency, colours, kShareUnit, share, level.ghosts);
   SweepHalo halo(adjacency, share, level.ghosts, order);

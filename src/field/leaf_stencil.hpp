@@ -3,15 +3,18 @@
 // an edge.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "field/octree_graph.hpp"
 
 namespace crossgrain {
 
-/// Levels of at least this many cells are swept block by block; smaller ones stay in the cache anyway. Only
-/// those can be shared.
-inline constexpr std::size_t kBlockedCells = 200000;
+/// Returns the number of cells from which on a level is swept block by block; smaller ones stay in the cache
+/// anyway. Only those can be shared. It is 200,000, or what CROSSGRAIN_BLOCKED_CELLS in the environment says,
+/// so that tests share small levels. The order of sweeps decides the bits of the result, so all processes and
+/// runs that are compared need one number.
+std::size_t blocked_cells();
 
 /// Returns the adjacency of a level and the order of its sweeps: by parity colours, on large levels block by
 /// block.

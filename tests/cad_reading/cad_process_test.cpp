@@ -17,6 +17,7 @@
 #include "cad_reading/made_cad_files.hpp"
 #include "crossgrain/version.hpp"
 #include "mesh_files/surface_files.hpp"
+#include "support/nightly.hpp"
 
 namespace crossgrain {
 namespace {
@@ -345,7 +346,7 @@ TEST(CadProcess, DamagedFilesGiveASoundSurfaceOrOneClearLineInTime) {
   options.read_seconds = 2;
   for (const char* name : {"plate.step", "plate.iges", "rounded.brep", "plate.brp", "assembly.step"}) {
     const std::string sound = content_of(cad_files() / name);
-    for (int trial = 0; trial < 12; ++trial) {
+    for (int trial = 0; trial < (is_nightly() ? 50 : 4); ++trial) {
       SCOPED_TRACE(fmt::format("{} {}", name, trial));
       std::string content = sound;
       damage(content, random);

@@ -114,7 +114,7 @@ class HexTest(CommandTest):
 
     def test_the_report_has_the_shapes_of_the_file(self):
         self.write("box.stl", stl_bytes(box_triangles()))
-        made = self.hexahedra("box.stl", "--cells", "5")
+        made = self.hexahedra("box.stl", "--cells", "5", "--tet-size", "0.35")
         quality = scaled_jacobians(self.vertices, self.corners)
         self.assertEqual(made["hexahedra"], len(quality))
         self.assertAlmostEqual(made["scaled_jacobian"]["min"], quality.min(), places=9)
@@ -150,14 +150,14 @@ class HexTest(CommandTest):
 
     def test_five_tets_around_an_axis_have_no_map_and_say_where_and_why(self):
         self.write_fan()
-        made = self.hexahedra("fan.mesh", "--cells", "5", code=NOT_ALL_HEX)
+        made = self.hexahedra("fan.mesh", "--cells", "3", code=NOT_ALL_HEX)
         self.assertIn(made["outcome"], ("none", "partial"))
         self.assertIn("hexahedra", made["detail"])
         self.assertTrue(all(np.isfinite(place).all() for place in made["places"]))
         self.assertRegex(self.result.stdout, r"hexahedra  (none|partial)")
         self.assertIn(made["reason"], self.result.stdout)
         self.assertNotIn("--tet-size", self.result.stdout, "no tets are made of a mesh of tets")
-        self.hexahedra("fan.mesh", "--cells", "5", "--quiet", code=NOT_ALL_HEX)
+        self.hexahedra("fan.mesh", "--cells", "3", "--quiet", code=NOT_ALL_HEX)
         self.assertEqual(self.result.stdout, "")
         self.assertRegex(self.result.stderr, r"\Acrossgrain: fan.mesh: (none|partial).*\n\Z")
         self.assertIn(made["reason"], self.result.stderr)
@@ -273,9 +273,9 @@ class HexTest(CommandTest):
 
     def test_the_result_is_the_same_with_one_thread(self):
         self.write("box.stl", stl_bytes(box_triangles()))
-        self.hexahedra("box.stl", "--cells", "6", "--threads", "1")
+        self.hexahedra("box.stl", "--cells", "6", "--tet-size", "0.35", "--threads", "1")
         one = (self.folder / "out/hexahedra.mesh").read_bytes()
-        self.hexahedra("box.stl", "--cells", "6")
+        self.hexahedra("box.stl", "--cells", "6", "--tet-size", "0.35")
         self.assertEqual((self.folder / "out/hexahedra.mesh").read_bytes(), one)
 
     def read_hexex(self, name):
@@ -287,7 +287,7 @@ class HexTest(CommandTest):
 
     def test_the_map_is_written_for_programs_that_extract_hexahedra(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
-        self.hexahedra("cylinder.stl", "--cells", "6", "--write", "hexex,mesh")
+        self.hexahedra("cylinder.stl", "--cells", "5", "--tet-size", "0.3", "--write", "hexex,mesh")
         points, tets, grid = self.read_hexex("hexahedra.hexex")
         # Its cells are the hexahedra, one by one: as many, and a point of the grid in the tets for each vertex.
         self.assertAlmostEqual(np.linalg.det(grid[:, 1:] - grid[:, :1]).sum() / 6, len(self.corners), places=9)

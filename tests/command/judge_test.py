@@ -21,10 +21,14 @@ from judge_lines import ArcJudgement, Lines
 from judge_links import has_disc, has_sphere
 from judge_mesh import TetField
 from judge_of_tets import JudgeOfTets
-from program import CommandTest, medit_text, tet_box, tilt
+from program import CommandTest, medit_text, of_the_day, tet_box, tilt
 
 SHARED = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().parents[3] / "shared"))
 TET_FORMATS = (".mesh", ".msh", ".vtk")
+
+# By day these stand for all: small ones with and without arcs, nodes, contacts, and creases that cannot be meshed.
+CHOSEN = ("s01c_cube.vtk.xz", "s02c_prism.vtk.xz", "s10c_cyl_cutsphere.vtk.xz", "n03c_skijump_box_cyl.vtk.xz", "n09c_pyramid.vtk.xz",
+          "rod.msh", "s02u_prism.vtk")
 
 
 class JudgeTest(CommandTest):
@@ -80,7 +84,7 @@ class OfFiles(JudgeTest):
         self.assertEqual(differences, [], "\n".join(differences))
 
     def judge_all(self, paths):
-        for path in sorted(paths):
+        for path in of_the_day(sorted(paths), *CHOSEN):
             with self.subTest(path.name):
                 self.judge(path)
 

@@ -8,6 +8,7 @@ import itertools
 import os
 import re
 import resource
+import shutil
 import struct
 import subprocess
 import tempfile
@@ -17,7 +18,18 @@ from pathlib import Path
 import numpy as np
 
 PROGRAM = os.environ.get("CROSSGRAIN_PROGRAM", "")
+NIGHTLY = os.environ.get("CROSSGRAIN_NIGHTLY") == "1"
 TIME_LIMIT = 120
+
+
+# Results that several tests want, by how they are made.
+KEPT = tempfile.TemporaryDirectory(prefix="crossgrain-kept-")
+FIRST_RESULTS = {}
+
+
+def of_the_day(items, *chosen):
+    """The paths, names or other items that were chosen to stand for all by day; all of them by night."""
+    return [item for item in items if NIGHTLY or getattr(item, "name", item) in chosen]
 
 
 def run(*arguments, stdin=b"", program=PROGRAM, **options):
@@ -46,6 +58,19 @@ class CommandTest(unittest.TestCase):
         self.temporary = tempfile.TemporaryDirectory(prefix="crossgrain-command-")
         self.addCleanup(self.temporary.cleanup)
         self.folder = Path(self.temporary.name)
+
+    def copied_from_first(self, name, key, make):
+        """A folder NAME of a result that several tests want: the first makes it here, the others copy it. Returns what make() did."""
+        if key not in FIRST_RESULTS:
+            made = make()
+            kept = Path(KEPT.name) / str(len(FIRST_RESULTS))
+            shutil.copytree(self.folder / name, kept)
+            FIRST_RESULTS[key] = (kept, made)
+            return made
+        kept, made = FIRST_RESULTS[key]
+        shutil.rmtree(self.folder / name, ignore_errors=True)
+        shutil.copytree(kept, self.folder / name)
+        return made
 
     def run_here(self, *arguments, **options):
         return run(*arguments, cwd=self.folder, **options)

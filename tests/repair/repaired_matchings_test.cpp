@@ -9,6 +9,7 @@
 #include "matching/made_matchings.hpp"
 #include "matching/repaired_graph.hpp"
 #include "repair/matching_repair.hpp"
+#include "support/nightly.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
@@ -101,7 +102,7 @@ TEST(RepairedMatchings, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(RepairedMatchings, NeverEndWithMoreFaultsThanTheyBeganWith) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (is_nightly() ? 20u : 1u); ++seed) {
     const auto frames = testing::random_tet_frames(kBox, seed);
     RepairTuning options;
     options.tries = {{1, 1, 200}};
