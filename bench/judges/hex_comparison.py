@@ -35,7 +35,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "command"
 from poisson_map import read_tets  # noqa: E402
 from program import medit_text  # noqa: E402
 
-MESHES = {"crossgrain": ("hexahedra.mesh", False), "cubecover": ("cubecover/map.ovm", True),
+MESHES = {"crossgrain": ("hexahedra*.mesh", False), "cubecover": ("cubecover/map.ovm", True),
           "hexdom": ("geogram/ours/hexdom.geogram_ascii", False)}  # and whether in sizes of hexahedra
 PROGRAMS = tuple(MESHES)
 NOT_ALL_HEX = 6
@@ -88,7 +88,7 @@ def fault_of_program(options, *arguments):
 def ours(options, model, cells, folder):
     """What crossgrain hex said, with its files in the folder."""
     start = time.monotonic()
-    fault = fault_of_program(options, "hex", model, "--cells", cells, "-o", folder, "--write", "mesh,fra,perm,hexex")
+    fault = fault_of_program(options, "hex", model, "--cells", cells, "-o", folder, "--write", "mesh,fra,perm,hexex", "--inverted")
     seconds = time.monotonic() - start
     if fault:
         # The others shall have frames nevertheless.
@@ -137,7 +137,7 @@ def figures_of(options, model, cells):
     for name, (mesh, scale) in MESHES.items():
         if "fault" not in figures[name]:
             left = Model(folder, cells)
-            figures[name].update(left.judged(folder / mesh, 1 / left.size if scale else 1))
+            figures[name].update(left.judged(next(folder.glob(mesh)), 1 / left.size if scale else 1))
     return figures
 
 

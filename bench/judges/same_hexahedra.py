@@ -211,7 +211,7 @@ def made_by_program(options, model, cells):
 
 
 def make(options, model, cells, folder):
-    command = [options.program, "hex", model, "--cells", cells, "-o", folder, "--write", "hexex", "--no-report", "--quiet", "--force"]
+    command = [options.program, "hex", model, "--cells", cells, "-o", folder, "--write", "hexex", "--inverted", "--no-report", "--quiet", "--force"]
     result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=options.seconds, check=False)
     if result.returncode not in (0, NOT_ALL_HEX):
         raise ValueError(result.stderr.strip())
@@ -225,7 +225,8 @@ def of_models(options):
             begin = f"| {model.name.split('.')[0]} | {cells} |"
             try:
                 folder, outcome = made_by_program(options, model, cells)
-                print(f"{begin} {outcome} | {row_of(options.built, folder / 'hexahedra.hexex', folder / 'hexahedra.mesh')} |", flush=True)
+                mesh = next(path for path in folder.glob("hexahedra*.mesh"))
+                print(f"{begin} {outcome} | {row_of(options.built, folder / 'hexahedra.hexex', mesh)} |", flush=True)
             except (ValueError, subprocess.TimeoutExpired) as fault:
                 print(f"{begin} {fault} |", flush=True)
 

@@ -104,19 +104,6 @@ void AttemptQueue::add_end(const HexAttempt& attempt, std::string text) {
   end.seconds = attempt.seconds;
 }
 
-bool AttemptQueue::is_up_to_the_model() const {
-  // One more than a repair in vain, which may be chance.
-  constexpr std::size_t kFewestRounds = 2;
-  const auto& rounds = unmended_of_rounds_;
-  if (rounds.size() != rounds_ || rounds_ < kFewestRounds) return false;
-  return std::any_of(rounds.front().begin(), rounds.front().end(), [&](const Vector3& corner) {
-    // Vertices of a model are vertices of all its tets, with the same coordinates.
-    return std::all_of(rounds.begin(), rounds.end(), [&](const std::vector<Vector3>& of_round) {
-      return std::find(of_round.begin(), of_round.end(), corner) != of_round.end();
-    });
-  });
-}
-
 void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   HexAttempt& attempt = candidate.attempt;
   attempt.kind = kind.name();
@@ -129,10 +116,6 @@ void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   seconds_.smoothing += seconds.smoothing;
   if (attempt.seconds == 0) attempt.seconds = seconds.sum();
   candidate.number = attempts_.size();
-  if (!candidate.unmended.empty()) {
-    unmended_of_rounds_.resize(rounds_);
-    unmended_of_rounds_.back() = candidate.unmended;
-  }
   attempts_.push_back(attempt);
   if (kind.makes_meshes()) add_end(attempt, end_of(candidate, least_quality_));
   if (candidate.made || candidate.followed)

@@ -106,10 +106,6 @@ class AttemptQueue {
   /// Number of the best attempt in attempts().
   std::size_t best_attempt() const { return best_ ? best_->number : 0; }
 
-  /// Whether other tets cannot help, as far as is known: in each of several rounds hexahedra meet by no
-  /// repair at one and the same corner of the model (HexCandidate::unmended).
-  bool is_up_to_the_model() const;
-
   /// All attempts, in the order in which they were made.
   const std::vector<HexAttempt>& attempts() const { return attempts_; }
 
@@ -149,7 +145,6 @@ class AttemptQueue {
   std::optional<StartingField> start_;
   std::shared_ptr<const HexCandidate> best_;
   std::vector<std::shared_ptr<const HexCandidate>> of_rounds_;
-  std::vector<std::vector<Vector3>> unmended_of_rounds_;
   std::vector<HexAttempt> attempts_;
   HexSeconds seconds_;
 };

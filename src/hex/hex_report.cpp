@@ -216,7 +216,7 @@ std::string end_of(const HexCandidate& candidate, double least_quality) {
   if (report.outcome != HexOutcome::kAllHex) {
     if (!candidate.followed) return "no mesh";
     explain(candidate, {}, report);
-    return report.reason + (candidate.unmended.empty() ? "" : ", with any of the repairs");
+    return report.reason;
   }
   const std::string what =
       fmt::format("{} the model", candidate.attempt.hexahedra == 1

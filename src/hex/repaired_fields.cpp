@@ -110,29 +110,8 @@ class RepairedFields : public AttemptKind {
     repairs_of_field_.emplace(start.field, RepairOptions(), std::move(tuning), queue.monitor());
     tries_ = repairs_of_field_->tries();
     work_ = work_of(tries_);
-    find_unmended(start.field);
-    begin_stage(is_hopeless() ? Stage::kAny : Stage::kSound);
+    begin_stage(Stage::kSound);
   }
-
-  /// Finds the corners of the surface at which hexahedra meet neither by the field nor by any of its repairs.
-  /// docs/notes/hexahedra.md shows that such fields have no map.
-  void find_unmended(const TetFrameField& field) {
-    // Fewer tries say nothing: with some weights a repair keeps to the geometry.
-    constexpr std::size_t kTellingTries = 6;
-    unmended_.clear();
-    if (tries_.size() < kTellingTries || !field.report().onto) return;
-    const auto& vertices = field.domain().data().solid.mesh.vertices;
-    for (const auto& corner : field.report().onto->singularity.corner_list) {
-      if (corner.verdict != Verdict::kNotMeshable) continue;
-      const bool is_in_all = std::all_of(tries_.begin(), tries_.end(), [&](const RepairTry& one) {
-        return std::any_of(one.impossible_vertices.begin(), one.impossible_vertices.end(),
-                           [&](std::uint32_t v) { return vertices[v] == corner.place; });
-      });
-      if (is_in_all) unmended_.push_back(corner.place);
-    }
-  }
-
-  bool is_hopeless() const { return !unmended_.empty(); }
 
   /// A fault may be too small to matter: of those in which all arcs have a length the best with faults is
   /// taken too. Arcs without one may get a length when vertices move.
@@ -184,10 +163,7 @@ class RepairedFields : public AttemptKind {
           candidates[k].seconds.repair = seconds;
         },
         /*grain=*/1);
-    for (HexCandidate& candidate : candidates) {
-      candidate.attempt.repair = repairs_++;
-      candidate.unmended = unmended_;
-    }
+    for (HexCandidate& candidate : candidates) candidate.attempt.repair = repairs_++;
     return candidates;
   }
 
@@ -195,8 +171,7 @@ class RepairedFields : public AttemptKind {
   HexCandidate candidate_of(TetFrameField field, const StartingField& start) const {
     HexCandidate followed = followed_candidate(std::move(field), start.size, rounds_ - 1);
     if (followed.attempt.arcs_without_length > 0) return followed;
-    const auto effort = is_hopeless() ? MappingEffort::kLittle : MappingEffort::kFull;
-    HexCandidate mapped = mapped_candidate(followed, start.size, tuning_, effort);
+    HexCandidate mapped = mapped_candidate(followed, start.size, tuning_);
     mapped.attempt.work += followed.attempt.work;
     mapped.seconds.map += followed.seconds.map;
     return mapped;
@@ -210,7 +185,6 @@ class RepairedFields : public AttemptKind {
   std::optional<FieldRepairs> repairs_of_field_;
   std::vector<RepairTry> tries_, wandered_;
   std::vector<const RepairTry*> left_;  ///< of the stage
-  std::vector<Vector3> unmended_;       ///< HexCandidate::unmended
   std::vector<std::vector<CubeRotation>> taken_;
 };
 

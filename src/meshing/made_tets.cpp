@@ -101,8 +101,7 @@ std::string MadeTets::plan(const AttemptQueue&) const {
   return fmt::format("tets of {:.3g}", size);
 }
 
-std::size_t MadeTets::left(const AttemptQueue& queue) const {
-  if (queue.is_up_to_the_model()) return 0;
+std::size_t MadeTets::left(const AttemptQueue&) const {
   const auto& shares = tuning_.tet_shares;
   const auto sizes = std::count_if(shares.begin() + static_cast<std::ptrdiff_t>(at_), shares.end(),
                                    [&](double share) { return share >= large_share_; });

@@ -21,14 +21,7 @@
 namespace crossgrain {
 namespace {
 
-std::vector<std::uint32_t> impossible_vertices_of(const MatchedField& field) {
-  std::vector<std::uint32_t> vertices;
-  for (std::uint32_t v = 0; v < field.complex().solid().mesh.vertices.size(); ++v)
-    if (field.vertex_state(v) == VertexState::kImpossible) vertices.push_back(v);
-  return vertices;
-}
-
-std::size_t faulty_edges_of(const MatchedField& field) {
+std::size_t faults_of(const MatchedField& field) {
   std::size_t faults = 0;
   const TetComplex& complex = field.complex();
   for (std::uint32_t e = 0; e < complex.edges().size(); ++e) {
@@ -37,11 +30,9 @@ std::size_t faulty_edges_of(const MatchedField& field) {
     faults +=
         edge.is_on_boundary() ? field.boundary_turn(e).hexahedra == 0 : !field.turn_around(e).may_be_meshed();
   }
+  for (std::uint32_t v = 0; v < complex.solid().mesh.vertices.size(); ++v)
+    faults += field.vertex_state(v) == VertexState::kImpossible;
   return faults;
-}
-
-std::size_t faults_of(const MatchedField& field) {
-  return faulty_edges_of(field) + impossible_vertices_of(field).size();
 }
 
 double cost_of(const MatchedField& field, const RepairWeights& weights) {
@@ -73,8 +64,7 @@ struct Try : RepairTry {
 };
 
 void judge(Try& what, const RepairTuning& options) {
-  what.impossible_vertices = impossible_vertices_of(*what.field);
-  what.tets.faults = faulty_edges_of(*what.field) + what.impossible_vertices.size();
+  what.tets.faults = faults_of(*what.field);
   what.zero_lengths = zero_lengths_of(*what.field);
   what.cost = cost_of(*what.field, options.tries.front());
 }

@@ -206,16 +206,14 @@ class HexTest(CommandTest):
 
     def test_ctrl_c_writes_the_best_mesh_so_far(self):
         self.write("star.stl", stl_bytes(star_triangles()))
-        for number in (signal.SIGINT, signal.SIGTERM):
-            with self.subTest(signal=number.name):
-                code, errors = self.stopped("star.stl", "--cells", "4", number=number,
-                                            after=lambda event: event.get("best", {}).get("hexahedra", 0) > 0)
-                self.assertEqual(code, INTERRUPTED, errors)
-                self.assertIn("crossgrain: interrupted: writing the best mesh so far, ", errors)
-                made = json.loads((self.folder / "out/report.json").read_text())["hexahedra"]
-                self.assertTrue(made["is_stopped"])
-                self.assertGreater(made["hexahedra"], 0)
-                self.assertEqual(len(read_arrays(self.folder / "out/hexahedra.partial.vtu")["scaled_jacobian"]), made["hexahedra"])
+        code, errors = self.stopped("star.stl", "--cells", "4", "--tet-size", "1", number=signal.SIGTERM,
+                                    after=lambda event: event.get("best", {}).get("hexahedra", 0) > 0)
+        self.assertEqual(code, INTERRUPTED, errors)
+        self.assertIn("crossgrain: interrupted: writing the best mesh so far, ", errors)
+        made = json.loads((self.folder / "out/report.json").read_text())["hexahedra"]
+        self.assertTrue(made["is_stopped"])
+        self.assertGreater(made["hexahedra"], 0)
+        self.assertEqual(len(read_arrays(self.folder / "out/hexahedra.partial.vtu")["scaled_jacobian"]), made["hexahedra"])
 
     def test_a_partial_mesh_says_so_in_names_and_heads_and_is_for_display_alone_if_some_are_inverted(self):
         self.write_fan()
@@ -255,11 +253,12 @@ class HexTest(CommandTest):
         self.assertLess(events.index(expected), events.index(end))
 
     def test_each_attempt_that_another_follows_ends_with_a_line_that_says_why(self):
-        self.write("star.stl", stl_bytes(star_triangles()))
-        result = self.run_here("hex", "star.stl", "--cells", "4", "-o", "out", "--no-report")
+        self.write_fan()
+        result = self.run_here("hex", "fan.mesh", "--cells", "5", "-o", "out", "--no-report")
         ends = [line for line in result.stderr.splitlines() if line.startswith("attempt ")]
         attempts = json.loads((self.folder / "out/report.json").read_text())["hexahedra"]["attempts"]
-        self.assertEqual(len(ends), sum(attempt["kind"] != "tets" for attempt in attempts) - 1)
+        self.assertEqual(len(ends), len(attempts) - 1)
+        self.assertGreater(len(ends), 0)
         for k, line in enumerate(ends):
             self.assertRegex(line, rf"^attempt {k + 1}: .+; trying .+$")
         self.assertEqual(result.stdout.count("expected"), 1)

@@ -41,13 +41,13 @@ HexMeshingOptions of_size(double size) {
 
 /// Fails to make tets from the call `failing` on, counted from 0.
 Hexahedra tuned_hexahedra(const TriangleMesh& model, const HexMeshingOptions& options,
-                          const MeshingTuning& tuning, int failing = 1000, const Monitor& monitor = {}) {
+                          const MeshingTuning& tuning, int failing = 1000, const Monitor& heard = {}) {
   int calls = 0;
   const auto make = [&](const TetMakingTuning& making, const Monitor& monitor) {
     if (calls++ == failing) throw Error(ErrorKind::kLimit, "too many tets");
     return make_tets(model, making, monitor);
   };
-  return hexahedra_in_tets_of(make, options, tuning, monitor);
+  return hexahedra_in_tets_of(make, options, tuning, heard);
 }
 
 /// Hexahedra of a pyramid, at whose tip four faces meet and so no hexahedra; with a single repair each.
