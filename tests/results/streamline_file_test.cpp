@@ -185,9 +185,10 @@ TEST(StreamlineFile, IsNotTouchedByAWriteThatIsCancelled) {
 
 TEST(StreamlineFile, IsRefusedWhereItCannotBe) {
   const TemporaryFolder folder;
-  const auto pipe = folder.path() / "pipe";
+  const auto pipe = folder.path() / "pipe.vtu", inner = folder.path() / "inner.vtu";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  for (const auto& path : {folder.path(), folder.path() / "none" / "lines.vtu", pipe}) {
+  std::filesystem::create_directory(inner);
+  for (const auto& path : {inner, folder.path() / "none" / "lines.vtu", pipe}) {
     for (const auto& act : {+[](const std::filesystem::path& p) { check_streamline_file(p); },
                             +[](const std::filesystem::path& p) { write_streamlines(made_lines(), p); }}) {
       try {
@@ -200,7 +201,7 @@ TEST(StreamlineFile, IsRefusedWhereItCannotBe) {
     }
   }
   check_streamline_file(folder.path() / "lines.vtu");
-  EXPECT_EQ(folder.names(), std::vector<std::string>{"pipe"});
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"inner.vtu", "pipe.vtu"}));
 }
 
 TEST(StreamlineFile, OfAnEarlierFieldGoesWhenANewOneIsWrittenToItsFolder) {
