@@ -151,7 +151,7 @@ NAMES = {
                    "kMetre": "m", "kInch": "inch", "kFoot": "foot"},
     "ForeignFiles": {"kRefuse": "refuse", "kKeep": "keep", "kReplace": "replace"},
     "PictureColour": {"kNone": "none", "kAlignment": "alignment", "kEnergy": "energy", "kConstraint": "class",
-                      "kRegion": "region"},
+                      "kRegion": "region", "kFace": "face"},
     "PictureFrames": {"kLines": "lines", "kBoxes": "boxes", "kCrosses": "crosses", "kNone": "none"},
     "PicturePart": {"kLines": "lines", "kCreases": "creases", "kLegend": "legend"},
     "PictureBackground": {"kLight": "light", "kDark": "dark", "kTransparent": "transparent"},

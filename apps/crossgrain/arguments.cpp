@@ -7,6 +7,7 @@
 #include <iostream>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command_line.hpp"
@@ -45,10 +46,9 @@ void check_model(AnyArguments& arguments, bool glue, const CLI::App* command, co
   if (arguments.model.empty()) refuse("MODEL is empty", command);
   refuse_empty(command, "--output", arguments.output, output);
   if (glue && !is_cad_file(arguments.model))
-    refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
+    refuse("--glue is for CAD files (STEP, IGES, BREP, FCStd); glue meshes where they are made", command);
   arguments.is_output_named = !arguments.output.empty();
-  if (!arguments.is_output_named)
-    arguments.output = std::filesystem::path(arguments.model).stem().string() + extension;
+  if (!arguments.is_output_named) arguments.output = stem_of_model(arguments.model) + extension;
 }
 
 /// Refuses names of files for the folder that a command writes; `holds` says where the folder has it. A
@@ -139,10 +139,15 @@ void check_arguments(RenderArguments& arguments, const CLI::App* command) {
 }
 
 /// Returns the arguments from the last to the first, as CLI11 takes them. It knows that -1 is a number, but
-/// not that -.5 is one.
+/// not that -.5 is one; nor that json belongs to --progress, but part.step does not.
 std::vector<std::string> reversed_words(int argc, char** argv) {
   std::vector<std::string> words;
   for (int i = argc - 1; i > 0; --i) {
+    if (i > 1 && argv[i] == std::string_view("json") && argv[i - 1] == std::string_view("--progress")) {
+      words.emplace_back("--progress=json");
+      --i;
+      continue;
+    }
     std::string& word = words.emplace_back(argv[i]);
     if (word.size() > 2 && word.starts_with("-.") && word[2] >= '0' && word[2] <= '9') word.insert(1, "0");
   }

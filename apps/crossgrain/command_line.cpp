@@ -63,7 +63,6 @@ CommandLineOfProcesses::CommandLineOfProcesses()
   add_value(*solve_command, "--restart", solve.restart, "DIR",
             "Go on from the folder of --checkpoint, on any number of processes; give the same model "
             "and options");
-  solve_command->add_flag("--verbose", solve.tells_work, "Print a table of the work of each process");
   add_examples(*solve_command,
                "mpirun -n 4 crossgrain-mpi solve part.step --resolution 512\n"
                "mpirun -n 4 crossgrain-mpi solve part.step --checkpoint kept   # to go on after a break");

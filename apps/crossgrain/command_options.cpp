@@ -95,8 +95,8 @@ void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
                        "Draw the hexahedra that 'crossgrain hex' has written to the folder instead, coloured "
                        "by scaled Jacobian; a cut removes whole ones");
   const std::vector<const CLI::Option*> of_fields{
-      command.get_option("--field"), command.get_option("--streamlines"), command.get_option("--colour"),
-      command.get_option("--range"), command.get_option("--frames")};
+      command.get_option("--field"), command.get_option("--streamlines"), command.get_option("--range"),
+      command.get_option("--frames")};
   command.parse_complete_callback([hexahedra, of_fields] {
     if (hexahedra->count() == 0) return;
     for (const CLI::Option* option : of_fields)
@@ -108,15 +108,17 @@ void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
 }
 
 void add_looks(CLI::App& command, PictureOptions& options) {
-  add_choice(command, "--colour,--color", options.colour,
-             {{"none", PictureColour::kNone},
-              {"alignment", PictureColour::kAlignment},
-              {"energy", PictureColour::kEnergy},
-              {"class", PictureColour::kConstraint},
-              {"region", PictureColour::kRegion}},
-             "Colour the surface by its angle to the nearest axis, by energy density, by constraint class or "
-             "by region",
-             "none|alignment|energy|class|region");
+  add_choice(
+      command, "--colour,--color", options.colour,
+      {{"none", PictureColour::kNone},
+       {"alignment", PictureColour::kAlignment},
+       {"energy", PictureColour::kEnergy},
+       {"class", PictureColour::kConstraint},
+       {"region", PictureColour::kRegion},
+       {"face", PictureColour::kFace}},
+      "Colour the surface by its angle to the nearest axis, by energy density, by constraint class, by "
+      "region or by face of the model, with numbers; hexahedra by 'face' only",
+      "none|alignment|energy|class|region|face");
   add_parsed(
       command, "--range", parse_range, [&options](const auto& range) { options.range = range; },
       "is not two numbers separated by a comma, the lower one first",
@@ -162,9 +164,11 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
                "crossgrain solve part.stl --resolution 64   # coarser, and quicker\n"
                "crossgrain solve part.mesh --repair         # on tets, for hexahedra");
   SolveOptions& options = arguments.options;
-  add_argument(*command, "MODEL", arguments.model,
-               "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
-               "or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface");
+  add_argument(
+      *command, "MODEL", arguments.model,
+      "The surface, an STL, OBJ, PLY, OFF, 3MF, STEP, IGES, BREP or FCStd file; or a tet mesh (Medit "
+      ".mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface; any of them also "
+      "as .gz");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.frames here)");
   add_degree(*command, options.degree);
   CLI::Option* resolution = add_value(
@@ -204,8 +208,8 @@ CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
 }
 
 CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("streamlines", "Traces lines along the axes of a field, as polylines for ParaView");
+  CLI::App* command = app.add_subcommand(
+      "streamlines", "Traces lines along the axes of a field, as polylines for other programs");
   add_examples(*command,
                "crossgrain streamlines part.frames --on z   # along the cut across z\n"
                "crossgrain streamlines part.frames seeds.txt -o lines.vtu");
@@ -215,7 +219,7 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
       *command, "SEEDS", arguments.seeds, "",
       "Points to trace through, one 'x y z' a line; - for standard input (default: evenly spread ones)");
   add_value(*command, "-o,--output", arguments.output, "FILE",
-            "The .vtu file to write (default: DIR/streamlines.vtu)");
+            "The .vtu, .vtp or .obj file to write (default: DIR/streamlines.vtu)");
   add_field_choice(*command, arguments.choice);
   add_parsed(
       *command, "--on", parse_places, [&arguments](const auto& places) { arguments.places = places; },

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "argument_values.hpp"
+#include "arguments.hpp"
 
 namespace crossgrain::app {
 
@@ -77,9 +78,23 @@ inline void add_read_seconds(CLI::App& command, double& seconds) {
             "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)");
 }
 
-inline void add_quiet(CLI::App& command, bool& quiet, bool& progress) {
+inline void add_quiet(CLI::App& command, bool& quiet, ProgressForm& progress) {
   command.add_flag("--quiet", quiet, "Print no summary and no progress");
-  command.add_flag("--progress", progress, "Show progress on standard error even if it is not a terminal");
+  // Of a flag without a value CLI11 says "true". `reversed_words` joins the word json to it.
+  command
+      .add_option_function<std::string>(
+          "--progress",
+          [&progress](const std::string& form) {
+            progress = form == "json" ? ProgressForm::kJson : ProgressForm::kLines;
+          },
+          "Show progress on standard error even if it is not a terminal; with the word json after it, as "
+          "lines of JSON for other programs")
+      ->expected(0)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->type_name("")
+      ->check([](const std::string& form) {
+        return form == "json" || form == "true" ? std::string() : "'" + form + "' is not json";
+      });
 }
 
 }  // namespace crossgrain::app

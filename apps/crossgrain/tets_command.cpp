@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -53,7 +52,7 @@ void run_tets(const TetsArguments& arguments) {
   const ThreadLimit limit(arguments.threads);
   TetMesh mesh;
   {
-    ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
+    ProgressLines lines(arguments.progress, arguments.quiet);
     Monitor monitor([&lines](const Progress& progress) { lines.show(progress); }, {},
                     [&](const ModelSummary& model) {
                       if (arguments.quiet) return;

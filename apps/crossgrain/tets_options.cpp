@@ -57,7 +57,8 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
                "crossgrain tets part.stl --edges 30             # writes part.mesh");
   TetMakingOptions& options = arguments.options;
   add_argument(*command, "MODEL", arguments.model,
-               "A STEP, IGES or BREP file, or a closed surface in an STL, OBJ, PLY or OFF file");
+               "A STEP, IGES, BREP or FCStd file, or a closed surface in an STL, OBJ, PLY, OFF or 3MF file; "
+               "any of them also as .gz");
   add_value(*command, "-o,--output", arguments.output, "FILE",
             "The .mesh (Medit) or .msh (Gmsh) file to write (default: MODEL-stem.mesh here)");
   add_sizes(*command, options);

@@ -27,6 +27,7 @@ enum class PictureColour {
   kEnergy,      ///< smoothness energy per volume, on a logarithmic scale
   kConstraint,  ///< class of the constraints (CellConstraint); only for a field on a grid
   kRegion,      ///< the solid or region, of several
+  kFace,        ///< the face of the model, with its number; also of hexahedra
 };
 
 enum class PictureBackground { kLight, kDark, kTransparent };
@@ -59,7 +60,7 @@ struct PictureOptions {
   /// the side seen from +z; with x up, the side seen from -z, with y to the right.
   int up_axis = 2;
 
-  PictureColour colour = PictureColour::kNone;
+  PictureColour colour = PictureColour::kNone;  ///< of hexahedra kNone, their scaled Jacobian, or kFace
 
   /// Ends of the colour scale in degrees or length^-2, both positive for kEnergy; derived from the field by
   /// default.
@@ -104,7 +105,8 @@ struct PictureCurves {
 /// processor. The same field and options give the same bytes on any number of threads. Cells that were left
 /// out of a field (OutputOptions) have no colours and no frames.
 ///
-/// Errors: kUsage for options out of range; kInput for a field without its surface or without what the
+/// Errors: kUsage for options out of range and for a name that ends in anything but .png, if in anything;
+/// kInput for a field without its surface or without what the
 /// options colour by, as earlier versions wrote; kOutput; kInterrupted.
 void render_picture(const FrameField& field, const std::filesystem::path& picture,
                     const PictureOptions& options = {}, const PictureCurves& curves = {},
@@ -122,8 +124,11 @@ void render_picture(const TetFrameField& field, const std::filesystem::path& pic
 /// the mesh, unless that is null. What is said above of files, threads and errors holds here too; options of
 /// lines, creases and frames are not used.
 ///
+/// Colours by PictureColour::kFace are those of the faces of the model (HexMesh::Face::tag) instead; faces
+/// inside, which a cut shows, are plain.
+///
 /// Errors: kUsage also for colours by anything else, for a cut that leaves no hexahedron, and for corners
-/// that are no vertices; kInput for a mesh without hexahedra.
+/// that are no vertices; kInput for a mesh without hexahedra, or without the tags to colour by.
 void render_picture(const HexMesh& mesh, const std::filesystem::path& picture,
                     const PictureOptions& options = {}, const HexReport* report = nullptr,
                     const Monitor& monitor = {});

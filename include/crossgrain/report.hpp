@@ -52,6 +52,10 @@ struct SolveReport : ResultInventory, FieldAnalysis {
     std::string file_unit = {};
   } model;
 
+  /// The faces of the model, ascending by number: of a CAD file, between the creases of a surface of at most
+  /// 10,000, or tagged in a tet mesh.
+  std::vector<ModelFace> faces;
+
   /// A fault of the surface; at most one entry of each kind (docs/report.md).
   struct Finding {
     FindingKind kind{};

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,53 @@ enum class LengthUnit : int { kUnknown, kMicrometre, kMillimetre, kCentimetre, k
 
 /// Returns the name that meshes and reports have: "mm"; "none" for kUnknown.
 const char* name_of(LengthUnit unit);
+/// What surface a face of a model lies on.
+enum class FaceKind : int {
+  // Of a CAD file.
+  kPlane,
+  kCylinder,
+  kCone,
+  kSphere,
+  kTorus,
+  kExtrusion,
+  kRevolution,
+  kSpline,  ///< Bezier or B-spline
+  kOffset,
+  kOther,
+
+  kPatch,  ///< of a surface of triangles: those between creases
+  kTagged  ///< of a tet mesh: triangles with the same tag
+};
+
+/// Returns a name for files and scripts: "cylinder".
+const char* name_of(FaceKind kind);
+
+/// A face of a model.
+struct ModelFace {
+  std::int64_t number = 0;  ///< TriangleMesh::faces of its triangles
+  FaceKind kind{};
+  double area = 0;
+  Vector3 centre{};          ///< centroid; that of a curved face lies beside it
+  std::uint32_t solids = 1;  ///< that it bounds: 2 between two solids, 0 inside one
+
+  /// Faces of hexahedra on it; none without hexahedra, and for faces inside the model.
+  std::optional<std::size_t> quads = {};
+};
+
+/// Volume and area of a model; of several solids the sum, without the faces between them. 0 if unknown.
+struct ModelSize {
+  double volume = 0, area = 0;
+};
+
+/// What a model is given as.
+enum class ModelSource : int {
+  kTets,
+  kSurface,  ///< triangles
+  kCad
+};
+
+/// Returns a name for files and scripts: "cad".
+const char* name_of(ModelSource source);
 
 /// A curve that frames should follow: a polyline with the tangent of the true curve at each of its points.
 struct CreaseCurve {
@@ -69,8 +118,23 @@ struct TriangleMesh {
   std::string unit = {};
   std::string file_unit = {};
 
+  /// The faces of a CAD model, ascending by number, and its exact size; empty and 0 for other surfaces.
+  std::vector<ModelFace> face_list = {};
+  ModelSize exact_size = {};
+
   /// What reading found. A solve passes them on to its report.
   std::vector<Warning> warnings = {};
+};
+
+/// The model that tets were made of: what hexahedra in them are measured against.
+struct GivenModel {
+  ModelSource source{};
+  std::vector<ModelFace> faces;  ///< ascending by number
+  ModelSize size;                ///< exact for CAD models, otherwise that of the triangles
+
+  /// Triangles: of a CAD model finer than the tets, of a surface those given, as mended.
+  std::vector<Vector3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
 /// A solid cut into tets that index vertices, in either orientation.
@@ -100,6 +164,9 @@ struct TetMesh {
   /// As of a TriangleMesh.
   std::string unit = {};
   std::string file_unit = {};
+
+  /// What the tets were made of; null if they were read.
+  std::shared_ptr<const GivenModel> given = {};
 
   /// What a reader did not take as it stands in the file.
   std::vector<Warning> warnings = {};

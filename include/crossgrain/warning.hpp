@@ -14,12 +14,13 @@ namespace crossgrain {
 /// What a warning is about.
 enum class WarningKind : int {
   // A file that is read.
-  kUnknownUnit,   ///< a CAD file names no unit
-  kMissingParts,  ///< parts of a CAD file could not be read
-  kLooseFaces,    ///< faces of a CAD file belong to no solid
-  kMissingFaces,  ///< faces of a CAD file could not be triangulated
-  kCurvedTets,    ///< tets of higher order were read as straight
-  kSkippedData,   ///< data of a VTK file are not known
+  kUnknownUnit,     ///< a CAD file names no unit
+  kMissingParts,    ///< parts of a CAD file could not be read
+  kLooseFaces,      ///< faces of a CAD file belong to no solid
+  kRepeatedBodies,  ///< faces and solids of a CAD file that are there twice, left out
+  kMissingFaces,    ///< faces of a CAD file could not be triangulated
+  kCurvedTets,      ///< tets of higher order were read as straight
+  kSkippedData,     ///< data of a VTK file are not known
 
   // Tets that are made.
   kTetMaker,  ///< they were made in another way than usual
@@ -45,6 +46,7 @@ enum class WarningKind : int {
   kOverlappingSolids,  ///< solids overlap
   kTouchingSolids,     ///< solids touch without shared triangles
   kEmptySolids,        ///< solids are too small to hold a cell
+  kCrossedInterfaces,  ///< hexahedra reach across faces between solids
   kCrowdedCorners,     ///< more than three creases meet
   kKnifeEdges,         ///< edges are too sharp for any frame
 
@@ -58,6 +60,10 @@ enum class WarningKind : int {
   kConstraintsOutside,  ///< constraints lie in no cell
   kVerticesOutside,     ///< vertices of the tet mesh lie in no cell
   kOtherModel,          ///< the solve started from a field of another model
+
+  // Hexahedra.
+  kFacesWithoutQuads,  ///< faces of the model have none
+  kPoorFit,            ///< they miss much of the model's volume, or are far from its surface
 
   // What is written.
   kClipMissed,   ///< no cell touches the box

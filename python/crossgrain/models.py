@@ -293,7 +293,7 @@ class TetMesh:
 
 
 def read_surface(path: Any, options: Optional[ReadOptions] = None) -> Surface:
-    """Reads a surface (STL, OBJ, PLY, OFF) or a CAD file (STEP, IGES, BREP).
+    """Reads a surface (STL, OBJ, PLY, OFF, 3MF) or a CAD file (STEP, IGES, BREP, FCStd), also packed by gzip.
 
     Raises InputError naming the file, the place in it and the remedy.
     """
@@ -309,8 +309,8 @@ def _read_surface(path: Any, options: Optional[Handle]) -> Surface:
 
 def read_tets(path: Any, *, max_memory_bytes: int = 0, unit: str = "",
               tags_options: Optional[TetTagOptions] = None) -> TetMesh:
-    """Reads a tet mesh (Medit, Gmsh, VTK) and prepares it for a field. ``unit`` is that of its coordinates,
-    which no format names. Raises InputError like `read_surface`."""
+    """Reads a tet mesh (Medit, Gmsh, VTK), also packed by gzip, and prepares it for a field. ``unit`` is that of
+    its coordinates, which no format names. Raises InputError like `read_surface`."""
     start = time.perf_counter()
     encoded, most = path_bytes(path), integer(max_memory_bytes, "max_memory_bytes", 0, 2**63 - 1)
     mesh = watched(lambda monitor: made("tets", "tets_read", encoded, most, monitor.handle))
@@ -329,9 +329,9 @@ def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None
     """Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen, and prepares them
     for a field.
 
-    The model is a file (STEP, IGES, BREP; STL, OBJ, PLY, OFF), two arrays (vertices (n, 3) and triangles
-    (m, 3)), a mesh of meshio or trimesh, or a `Surface`. Faces and edges of the model are tagged: of CAD
-    files by their numbers, of surfaces between creases.
+    The model is a file (STEP, IGES, BREP, FCStd; STL, OBJ, PLY, OFF, 3MF), two arrays (vertices (n, 3) and
+    triangles (m, 3)), a mesh of meshio or trimesh, or a `Surface`. Faces and edges of the model are tagged:
+    of CAD files by their numbers, of surfaces between creases.
 
     size:
         largest edge of the tets, in model units

@@ -10,14 +10,13 @@
 namespace crossgrain {
 
 const char* name_of(Phase phase) {
-  constexpr std::array kNames{"read",  "grid",      "solve",  "analysis", "tets",
-                              "write", "make tets", "repair", "hexahedra"};
-  return name_among<Phase::kHexahedra>(kNames, phase);
+  constexpr std::array kNames{"read",      "grid",   "solve", "analysis",  "tets",  "write",
+                              "make tets", "repair", "map",   "hexahedra", "smooth"};
+  return name_among<Phase::kSmooth>(kNames, phase);
 }
 
 Monitor::Monitor(const Monitor& whole, std::function<void(Progress&)> add)
-    : may_be_stopped_(whole.may_be_stopped()),
-      whole_(&whole),
+    : whole_(&whole),
       on_progress_([&whole, add = std::move(add)](const Progress& progress) {
         Progress with_more = progress;
         add(with_more);

@@ -52,7 +52,7 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   for_each_inner_option("solve", options.solve, visit);
 }
 
-CROSSGRAIN_OPTIONS(OutputChoices, level, clip, formats, hex_size, foreign_files, page)
+CROSSGRAIN_OPTIONS(OutputChoices, level, clip, formats, hex_size, inverted_hexahedra, foreign_files, page)
 CROSSGRAIN_OPTIONS(StreamlineOptions, axes, spacing_sides)
 CROSSGRAIN_OPTIONS(PictureOptions, size, view, up_axis, colour, range, cut, frames, without, background,
                    quality_below)

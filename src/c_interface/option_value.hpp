@@ -56,7 +56,8 @@ inline constexpr std::array kOptionNames<LengthUnit>{"none", "um", "mm", "cm", "
 template <>
 inline constexpr std::array kOptionNames<ForeignFiles>{"refuse", "keep", "replace"};
 template <>
-inline constexpr std::array kOptionNames<PictureColour>{"none", "alignment", "energy", "class", "region"};
+inline constexpr std::array kOptionNames<PictureColour>{"none",  "alignment", "energy",
+                                                        "class", "region",    "face"};
 template <>
 inline constexpr std::array kOptionNames<PictureFrames>{"lines", "boxes", "crosses", "none"};
 template <>

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "process/answer_stream.hpp"
 #include "process/helper_program.hpp"
@@ -16,7 +18,11 @@
 namespace crossgrain {
 namespace {
 
-/// Bytes of a crease and of a warning without points and text: numbers of items, tag, kind and remedy.
+/// Bytes of a face; of a crease and of a warning without points and text: numbers of items, tag, kind and
+/// remedy.
+constexpr std::size_t kFaceBytes = sizeof(ModelFace::number) + sizeof(ModelFace::kind) +
+                                   sizeof(ModelFace::area) + sizeof(ModelFace::centre) +
+                                   sizeof(ModelFace::solids);
 constexpr std::size_t kCountBytes = sizeof(std::uint64_t);
 constexpr std::size_t kLeastCreaseBytes = 2 * kCountBytes + sizeof(CreaseCurve::tag);
 constexpr std::size_t kLeastWarningBytes = 3 * kCountBytes + sizeof(WarningKind) + sizeof(Remedy);
@@ -38,6 +44,14 @@ void exchange_cad(Stream& stream, Answer& answer) {
     stream.items(crease.tangents);
     stream.value(crease.tag);
   });
+  stream.list(mesh.face_list, kFaceBytes, [&stream](auto& face) {
+    stream.value(face.number);
+    stream.value(face.kind);
+    stream.value(face.area);
+    stream.value(face.centre);
+    stream.value(face.solids);
+  });
+  stream.value(mesh.exact_size);
   stream.items(mesh.unit);
   stream.items(mesh.file_unit);
   stream.list(mesh.warnings, kLeastWarningBytes, [&stream](auto& warning) {
@@ -67,6 +81,15 @@ bool is_sound(const CreaseCurve& crease) {
          are_finite(crease.tangents);
 }
 
+bool is_size(double value) {
+  return std::isfinite(value) && value >= 0;
+}
+
+bool is_sound(const ModelFace& face) {
+  return face.kind >= FaceKind{} && face.kind <= FaceKind::kOther && is_size(face.area) &&
+         are_finite(std::span(&face.centre, 1));
+}
+
 bool are_numbers(const std::vector<std::int32_t>& items) {
   return std::all_of(items.begin(), items.end(), [](std::int32_t item) { return item >= 0; });
 }
@@ -80,7 +103,10 @@ bool is_consistent(const TriangleMesh& mesh) {
          std::all_of(mesh.corner_normals.begin(), mesh.corner_normals.end(), are_finite) &&
          std::all_of(mesh.creases.begin(), mesh.creases.end(),
                      [](const CreaseCurve& crease) { return is_sound(crease); }) &&
-         is_line(mesh.unit) && is_line(mesh.file_unit) && mesh.warnings.size() <= kMostCadWarnings &&
+         std::all_of(mesh.face_list.begin(), mesh.face_list.end(),
+                     [](const ModelFace& face) { return is_sound(face); }) &&
+         is_size(mesh.exact_size.volume) && is_size(mesh.exact_size.area) && is_line(mesh.unit) &&
+         is_line(mesh.file_unit) && mesh.warnings.size() <= kMostCadWarnings &&
          std::all_of(mesh.warnings.begin(), mesh.warnings.end(),
                      [](const Warning& warning) { return is_sound(warning); }) &&
          are_in_range(mesh.triangles, mesh.vertices.size());
@@ -123,7 +149,7 @@ std::optional<CadRequest> cad_request_of(const std::vector<std::string>& argumen
       parse_number(arguments[6], options.crease_angle_deg) && parse_number(arguments[7], glue) &&
       parse_number(arguments[8], options.glue_gap) && parse_number(arguments[9], options.max_memory_bytes) &&
       parse_number(arguments[10], with_solids);
-  if (!sound || format < 0 || format > static_cast<int>(CadFormat::kBrep)) return std::nullopt;
+  if (!sound || format < 0 || format > static_cast<int>(CadFormat::kFreeCad)) return std::nullopt;
   request.format = static_cast<CadFormat>(format);
   options.glue = glue != 0;
   request.with_solids = with_solids != 0;

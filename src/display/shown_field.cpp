@@ -44,6 +44,7 @@ std::shared_ptr<const SolvedSurface> boundary_of(const TetSolid& solid, const Fi
   auto surface = std::make_shared<SolvedSurface>();
   surface->vertices = solid.mesh.vertices;
   surface->triangles = solid.boundary;
+  surface->faces = tags_of_faces(solid.mesh, solid.boundary);
   if (const auto solved = grid.surface.get()) surface->creases = solved->creases;
   add_regions(solid, *surface);
   return surface;

@@ -21,6 +21,10 @@ struct SolvedSurface {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< the outer surface, oriented outwards
   std::vector<std::vector<Vector3>> creases;  ///< polylines of 2 or more points; closed ones repeat the first
 
+  /// For each triangle the number of its face (SolveReport::faces), 0 for none; empty if earlier versions
+  /// wrote the file.
+  std::vector<std::int32_t> faces = {};
+
   /// Faces between solids, each once, outward from the first of its two solids.
   std::vector<std::array<std::uint32_t, 3>> interfaces = {};
 
@@ -28,6 +32,9 @@ struct SolvedSurface {
   /// there is only one solid or earlier versions wrote the file.
   std::vector<std::int32_t> regions = {};
   std::vector<std::array<std::int32_t, 2>> interface_regions = {};
+
+  /// The face of the model of each triangle (TriangleMesh::faces); empty without numbers, and in files.
+  std::vector<std::int32_t> faces = {};
 };
 
 /// The outer surface, for searching. Throws Error(kInput) if no triangle has an area.

@@ -6,9 +6,11 @@
 #include <numeric>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
+#include "hex/model_fit.hpp"
 #include "hex/work.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
@@ -50,9 +52,9 @@ MadeHexahedra made_of(const FollowedField& followed, const FollowingMap& followi
   for (const HexSide& side : topology.boundary) made.mesh.boundary.push_back({side.vertices, 0});
   made.quality = quality_of(made.mesh);
   const TetSolid& solid = followed.solid();
-  made.fills =
-      close_on_the_surface(following.extracted, topology, following.feet) &&
-      largest_distance_to(made.mesh, {solid.mesh.vertices, solid.boundary}) <= tuning.largest_gap * size;
+  made.fills = close_on_the_surface(following.extracted, topology, following.feet) &&
+               farthest_from(made.mesh, points_on(solid.mesh.vertices, solid.boundary)).distance <=
+                   tuning.largest_gap * size;
   const double model_volume = volume_of(solid.mesh);
   made.is_coarse =
       static_cast<double>(mesh.hexahedra.size()) < kLeastShare * model_volume / std::pow(asked_size, 3);
@@ -98,6 +100,7 @@ HexCandidate followed_candidate(TetFrameField field, double asked_size, std::siz
 HexCandidate mapped_candidate(const HexCandidate& of, double size, const HexTuning& tuning,
                               MappingEffort effort) {
   Stopwatch stopwatch;
+  tell_watched(Phase::kMap, 0);
   GridMapOptions map_options;
   HexSmoothingOptions smoothing;
   if (effort == MappingEffort::kLittle) {
@@ -114,6 +117,7 @@ HexCandidate mapped_candidate(const HexCandidate& of, double size, const HexTuni
   following->map = integer_grid_map(energy, map_options);
   following->determinants = determinants_of(energy, following->map.coordinates);
   candidate.seconds.map = stopwatch.restart();
+  tell_watched(Phase::kHexahedra, 0);
   following->extracted = extracted_hexahedra(followed.unknowns(), following->map.coordinates);
   following->feet = feet_of(MapSurface(followed.matched()), following->extracted.carriers);
   const HexTopology topology = topology_of(following->extracted.mesh);

@@ -29,8 +29,11 @@ Hexahedra made_by_attempts(const Begin& begin, const HexMeshingOptions& options,
   Stopwatch stopwatch;
   double tet_seconds = 0;
   AskedHexahedra asked(options);
-  Hexahedra made = best_of_attempts([&](AttemptQueue& queue) { tet_seconds = begin(queue, asked); },
-                                    options.hexahedra, tuning, monitor);
+  const auto begin_heard = [&](AttemptQueue& queue) {
+    queue.hear_ends(options.on_attempt_end);
+    tet_seconds = begin(queue, asked);
+  };
+  Hexahedra made = best_of_attempts(begin_heard, options.hexahedra, tuning, monitor);
   SolveReport report = made.field.report();
   report.warnings.insert(report.warnings.begin(), asked.warnings().begin(), asked.warnings().end());
   for (const HexAttempt& attempt : report.hexahedra->attempts) tet_seconds += attempt.tet_seconds;
@@ -48,7 +51,7 @@ Hexahedra in_tets(const Make& make, const HexMeshingOptions& options, const Moni
     const TetDomain domain = make();
     asked.check(SearchableSurface(prepare_surface(domain.boundary())));
     const double seconds = stopwatch.restart();
-    queue.start_on(solved_on(domain, options, queue.monitor()));
+    queue.start_on(solved_on(domain, options, queue));
     return seconds;
   };
   return made_by_attempts(begin, options, HexTuning(), monitor);

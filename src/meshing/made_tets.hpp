@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hex/attempt_queue.hpp"
@@ -22,9 +23,13 @@ class MadeTets : public AttemptKind {
 
   const char* name() const override { return "tets"; }
   std::optional<Turn> next(const AttemptQueue& queue) const override;
+  std::string plan(const AttemptQueue& queue) const override;
+  std::size_t left(const AttemptQueue& queue) const override;
+  bool makes_meshes() const override { return false; }
   std::vector<HexCandidate> make(AttemptQueue& queue) override;
 
  private:
+  std::size_t next_share() const;
   std::optional<TetDomain> next_domain(const Monitor& monitor, HexAttempt& attempt);
   std::optional<TetDomain> domain_of(double share, bool may_be_large, const Monitor& monitor,
                                      HexAttempt& attempt);
@@ -37,6 +42,7 @@ class MadeTets : public AttemptKind {
   std::size_t at_ = 0;      ///< the next of MeshingTuning::tet_shares
   double large_share_ = 0;  ///< finer sizes than this have too many tets
   bool has_warned_ = false;
+  HexExpectation::TetSize size_;    ///< of the last tets
   std::vector<TetDomain> domains_;  ///< of all rounds
 };
 
@@ -47,7 +53,9 @@ TetDomain prepared(const TetDomain& domain, const HexMeshingOptions& options);
 TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOptions& options, bool warns,
                     const Monitor& monitor);
 
-/// Solves on tets, for a round of the queue.
-StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor);
+/// Solves on tets, for a round of the queue. Of the first, listeners and the queue hear before what is to be
+/// expected, with the size of tets that were made, and afterwards the answer about the field.
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue,
+                        const HexExpectation::TetSize& made = {});
 
 }  // namespace crossgrain

@@ -12,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "display/leaf_corner_means.hpp"
+#include "display/shown_faces.hpp"
 #include "display/shown_field.hpp"
 #include "display/surface_numbers.hpp"
 #include "field/field_data.hpp"
@@ -34,6 +35,19 @@ void add_creases(const SolvedSurface& surface, const Vector3& origin, SceneWrite
   Polylines creases(origin);
   for (const std::vector<Vector3>& crease : surface.creases) creases.add(crease);
   creases.write(scene, "crease_points", "crease_starts");
+}
+
+/// Adds the face of each triangle that is drawn of `outside`.
+void add_faces(const ShownField& field, const SolvedSurface& outside, const DrawnSurface& drawn,
+               SceneWriter& scene) {
+  std::vector<std::int32_t> faces = faces_of(field);
+  if (!faces.empty() && drawn.vertices.size() != 3 * faces.size()) {
+    std::vector<std::array<std::uint32_t, 3>> triangles(drawn.vertices.size() / 3);
+    for (std::size_t k = 0; k < drawn.vertices.size(); ++k)
+      triangles[k / 3][k % 3] = drawn.originals[drawn.vertices[k]];
+    faces = faces_near(*field.searchable(), faces, outside.vertices, triangles);
+  }
+  scene.add("surface_face", 1, column<std::uint32_t>(faces, [](std::int32_t face) { return face; }));
 }
 
 /// Adds the cells of `shown`, with corners in units of the smallest of them.
@@ -169,6 +183,7 @@ class PageScene {
  private:
   DrawnSurface add_outside(const ShownField& field, const SolvedSurface& outside) {
     DrawnSurface drawn = add_surface(field.surface(), outside, origin_, "", kMostTriangles, scene_);
+    add_faces(field, outside, drawn, scene_);
     add_creases(field.surface(), origin_, scene_);
     monitor_.check();
     add_singularities(field, origin_, "", scene_);

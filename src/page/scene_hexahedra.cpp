@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vector3.hpp"
+#include "display/shown_faces.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
 #include "page/scene_parts.hpp"
@@ -28,6 +29,18 @@ std::vector<std::uint32_t> chosen(const HexMesh& mesh, const std::vector<double>
   numbers.resize(most);
   std::sort(numbers.begin(), numbers.end());
   return numbers;
+}
+
+/// The tags of the six faces of each hexahedron, in the order of kHexFaces; empty if none has one.
+std::vector<std::uint32_t> tags_of_faces(const HexMesh& mesh, const std::vector<std::uint32_t>& hexahedra) {
+  std::vector<HexSide> sides;
+  for (const std::uint32_t h : hexahedra) {
+    for (const auto& corners : kHexFaces) {
+      HexSide& side = sides.emplace_back(HexSide{{}, h});
+      for (std::size_t k = 0; k < 4; ++k) side.vertices[k] = mesh.hexahedra[h][corners[k]];
+    }
+  }
+  return column<std::uint32_t>(tags_of_sides(mesh, sides), [](std::int32_t tag) { return tag; });
 }
 
 }  // namespace
@@ -53,6 +66,7 @@ void add_hexahedra(const HexMesh& mesh, const Vector3& origin, std::size_t most,
   scene.add("hex_points", 3, points);
   scene.add("hex_corners", 8, corners);
   scene.add("hex_shape", 1, column<float>(shown, [&](std::uint32_t h) { return shapes[h]; }));
+  scene.add("hex_face", 6, tags_of_faces(mesh, shown));
   if (shown.size() < shapes.size()) scene.add("hex_number", 1, shown);
   scene.header["hexahedra"] = {
       {"total", shapes.size()},

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "crossgrain/error.hpp"
+#include "display/shown_faces.hpp"
+#include "picture/face_labels.hpp"
 
 namespace crossgrain {
 namespace {
@@ -91,6 +93,13 @@ CellColours::CellColours(const ShownField& field, const PictureOptions& options)
   if (what_ == PictureColour::kEnergy) numbers_.emplace(field, SurfaceNumber::kEnergy);
   if (numbers_) choose_scale(options);
   if (what_ == PictureColour::kRegion) choose_regions(options);
+  if (what_ == PictureColour::kFace) choose_faces();
+}
+
+void CellColours::choose_faces() {
+  faces_ = faces_of(field_);
+  if (!faces_.empty()) return;
+  throw Error(ErrorKind::kInput, "the model has no faces, or the folder is of an earlier version");
 }
 
 void CellColours::choose_scale(const PictureOptions& options) {
@@ -163,6 +172,8 @@ Colour CellColours::on_surface(const MeshPoint& point) const {
       return class_at(point);
     case PictureColour::kRegion:
       return of_region(field_.surface().regions[point.triangle]);
+    case PictureColour::kFace:
+      return colour_of_face(faces_[point.triangle]);
     case PictureColour::kNone:
       break;
   }
@@ -217,6 +228,8 @@ std::optional<LegendBlock> CellColours::legend() const {
       return class_legend();
     case PictureColour::kRegion:
       return region_legend();
+    case PictureColour::kFace:
+      return face_legend(faces_);
     case PictureColour::kNone:
       break;
   }

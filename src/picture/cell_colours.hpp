@@ -2,6 +2,7 @@
 // Colours of a part by the numbers, classes or regions of its field.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -27,8 +28,11 @@ class CellColours {
   bool is_none() const { return what_ == PictureColour::kNone; }
 
   /// Colour at a point of the surface: numbers are interpolated, a class is that of the cell there, a region
-  /// that of the triangle.
+  /// and a face those of the triangle.
   Colour on_surface(const MeshPoint& point) const;
+
+  /// For kFace the number of each triangle of the surface, otherwise empty.
+  const std::vector<std::int32_t>& faces() const { return faces_; }
 
   /// Colour at a point on a cut through a grid, by energy or region, as cells without surface have no other
   /// numbers. None outside: where there is no cell, or in a cell with surface where that, which may have
@@ -47,6 +51,7 @@ class CellColours {
  private:
   void choose_scale(const PictureOptions& options);
   void choose_regions(const PictureOptions& options);
+  void choose_faces();
   Colour of_number(double number) const;
   Colour of_region(std::int32_t region) const;
   Colour class_at(const MeshPoint& point) const;
@@ -60,6 +65,7 @@ class CellColours {
   ColourScale scale_;
   std::optional<double> largest_;           ///< if above the scale
   std::optional<SurfaceNumbers> numbers_;   ///< for kAlignment and kEnergy
+  std::vector<std::int32_t> faces_;         ///< for kFace
   std::vector<std::int32_t> regions_;       ///< for kRegion, ascending
   std::optional<RegionSections> sections_;  ///< for kRegion on a cut through a grid
   std::optional<SurfaceLeaves> boundary_;   ///< for kConstraint

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/vector3.hpp"
@@ -104,10 +105,17 @@ struct Section {
   float ghost_opacity = 0.25f;
 };
 
+/// A short text over all else, centred at a point.
+struct Label {
+  Vector3 place;  ///< model units
+  std::string text;
+};
+
 struct Drawing {
   std::vector<DrawnMesh> meshes;
   std::vector<DrawnRods> rods;
   std::optional<Section> section;
+  std::vector<Label> labels = {};
 };
 
 }  // namespace crossgrain

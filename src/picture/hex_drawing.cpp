@@ -8,8 +8,10 @@
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/message.hpp"
+#include "display/shown_faces.hpp"
 #include "display/smooth_corners.hpp"
 #include "measure/hex_quality.hpp"
+#include "picture/face_labels.hpp"
 #include "picture/field_drawing.hpp"
 
 namespace crossgrain {
@@ -170,18 +172,29 @@ ShownHexahedra::ShownHexahedra(const HexMesh& mesh, const PictureOptions& option
   }
   shown_ = static_cast<std::size_t>(std::count(is_shown.begin(), is_shown.end(), 1));
   surface_ = triangles_of(mesh, skin_.faces);
+  if (options.colour != PictureColour::kFace) return;
+  if (std::ranges::all_of(mesh.boundary, [](const HexMesh::Face& face) { return face.tag == 0; }))
+    throw Error(ErrorKind::kInput, "the hexahedra have no faces of a model");
+  tags_ = tags_of_sides(mesh, skin_.faces);
 }
 
-Drawing ShownHexahedra::drawing(const Camera& camera) const {
+Drawing ShownHexahedra::drawing(const Camera& camera, double text_size) const {
   DrawnMesh mesh;
   mesh.vertices = surface_.vertices;
   mesh.triangles = surface_.triangles;
   mesh.corner_normals = normals_of(mesh_, skin_.faces);
   mesh.shading = kShading;
   mesh.colour_at = [this](const MeshPoint& point) {
+    if (!tags_.empty()) return colour_of_face(tags_[point.triangle / 4]);
     return colour_of_shape(shapes_[skin_.faces[point.triangle / 4].hexahedron]);
   };
   Drawing drawing;
+  if (!tags_.empty()) {
+    std::vector<std::int32_t> faces;
+    for (const std::int32_t tag : tags_) faces.insert(faces.end(), 4, tag);
+    drawing.labels =
+        face_labels(mesh.vertices, mesh.triangles, faces, camera, options_.size, text_size, nullptr);
+  }
   drawing.meshes.push_back(std::move(mesh));
   const double pixel = camera.pixel_size(), length = mean_length(mesh_, skin_);
   const double widest = std::max(kEdgeRadius * PictureWeights(options_, camera).unit, kLeastRadius * pixel);
@@ -203,7 +216,8 @@ std::vector<LegendBlock> ShownHexahedra::legend(const HexReport* report) const {
   if (inverted > 0)
     shapes.signs.push_back({Sign::Shape::kBox, kInverted, fmt::format("inverted ({})", inverted)});
   const double worst = *std::min_element(shapes_.begin(), shapes_.end());
-  shapes.signs.push_back({Sign::Shape::kNothing, {}, fmt::format("worst {:.2f}", worst)});
+  shapes.signs.push_back({Sign::Shape::kNothing, {}, fmt::format("worst {:.2g}", worst)});
+  if (!tags_.empty()) shapes = face_legend(tags_);
   std::vector<LegendBlock> blocks{outcome_block(mesh_.hexahedra.size(), report), std::move(shapes)};
   if (options_.quality_below)
     blocks.push_back(

@@ -21,7 +21,8 @@ namespace crossgrain {
 /// The hexahedra of a mesh that a picture shows. Refers to the mesh.
 class ShownHexahedra {
  public:
-  /// Those of which the options ask for. Throws Error(kUsage) if a cut leaves none, or as `picture_cut`.
+  /// Those of which the options ask for. Throws Error(kUsage) if a cut leaves none, or as `picture_cut`;
+  /// Error(kInput) for colours by face if the mesh has no tags.
   ShownHexahedra(const HexMesh& mesh, const PictureOptions& options, const Vector3& towards);
 
   /// What fills the picture: the outside of what the cut leaves, whether its shapes are shown or not.
@@ -29,7 +30,8 @@ class ShownHexahedra {
 
   /// The outside of what is shown with the edges of its faces. What a limit of shapes leaves out is there as
   /// a pale outside.
-  Drawing drawing(const Camera& camera) const;
+  /// With colours by face, `text_size` is that of their numbers.
+  Drawing drawing(const Camera& camera, double text_size) const;
 
   /// `report` may be null.
   std::vector<LegendBlock> legend(const HexReport* report) const;
@@ -37,10 +39,11 @@ class ShownHexahedra {
  private:
   const HexMesh& mesh_;
   const PictureOptions& options_;
-  std::vector<double> shapes_;  ///< scaled Jacobians
-  std::size_t shown_ = 0;       ///< number of hexahedra
-  HexSkin skin_;                ///< of these
-  SolvedSurface surface_;       ///< four triangles for each face of skin_
+  std::vector<double> shapes_;      ///< scaled Jacobians
+  std::size_t shown_ = 0;           ///< number of hexahedra
+  HexSkin skin_;                    ///< of these
+  std::vector<std::int32_t> tags_;  ///< for colours by face, of the faces of skin_
+  SolvedSurface surface_;           ///< four triangles for each face of skin_
   SolvedSurface kept_surface_;
   std::vector<std::array<std::uint32_t, 2>> kept_edges_;  ///< sharp ones of it, for a limit of shapes
 };

@@ -30,8 +30,9 @@ void check_mesh(const HexMesh& mesh) {
 void render_picture(const HexMesh& mesh, const std::filesystem::path& picture, const PictureOptions& options,
                     const HexReport* report, const Monitor& monitor) {
   check_options(options);
-  check_option(options.colour == PictureColour::kNone,
-               "hexahedra are coloured by their scaled Jacobian, and by nothing else");
+  check_picture_name(picture);
+  check_option(options.colour == PictureColour::kNone || options.colour == PictureColour::kFace,
+               "hexahedra are coloured by their scaled Jacobian or by face, and by nothing else");
   check_mesh(mesh);
   OutputFile file(picture);
   monitor.check();
@@ -41,7 +42,8 @@ void render_picture(const HexMesh& mesh, const std::filesystem::path& picture, c
   const std::vector<LegendBlock> blocks =
       shows(options, PicturePart::kLegend) ? shown.legend(report) : std::vector<LegendBlock>();
   const Sheet sheet(options, direction, shown.kept_surface(), blocks);
-  write_picture(file, shown.drawing(*sheet.camera), sheet, options, blocks, monitor);
+  write_picture(file, shown.drawing(*sheet.camera, kLabelSize * sheet.text_size), sheet, options, blocks,
+                monitor);
 }
 
 }  // namespace crossgrain

@@ -6,6 +6,7 @@
 #include "picture/answer_marks.hpp"
 #include "picture/cell_colours.hpp"
 #include "picture/cut_drawing.hpp"
+#include "picture/face_labels.hpp"
 #include "picture/field_drawing.hpp"
 #include "picture/legend.hpp"
 #include "picture/sheet.hpp"
@@ -60,6 +61,7 @@ std::vector<LegendBlock> legend_blocks(const ShownField& field, const CellColour
 void render_shown(const ShownField& field, const std::filesystem::path& picture, PictureOptions options,
                   const PictureCurves& curves, const Monitor& monitor) {
   check_options(options);
+  check_picture_name(picture);
   OutputFile file(picture);
   monitor.check();
 
@@ -80,6 +82,10 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   const Camera& camera = *sheet.camera;
   Drawing drawing = field_drawing(subject, options, camera);
   if (cut) cut->add_to(drawing, camera);
+  if (!colours.faces().empty())
+    drawing.labels = face_labels(field.surface().vertices, field.surface().triangles, colours.faces(), camera,
+                                 options.size, kLabelSize * sheet.text_size,
+                                 drawing.section ? &*drawing.section : nullptr);
 
   write_picture(file, drawing, sheet, options, blocks(), monitor);
 }

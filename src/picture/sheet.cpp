@@ -7,11 +7,14 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "crossgrain/error.hpp"
+#include "files/output_name.hpp"
 #include "picture/axis_cross.hpp"
 #include "picture/canvas.hpp"
 #include "picture/field_drawing.hpp"
+#include "picture/font.hpp"
 #include "picture/layout.hpp"
 #include "picture/png_file.hpp"
 #include "picture/renderer.hpp"
@@ -34,6 +37,10 @@ constexpr double kMostPixels = 64e6;
 
 void check_option(bool sound, const std::string& message) {
   if (!sound) throw Error(ErrorKind::kUsage, message);
+}
+
+void check_picture_name(const std::filesystem::path& picture) {
+  check_extension(picture, "a picture", std::array<std::string_view, 1>{".png"});
 }
 
 void check_options(const PictureOptions& options) {
@@ -143,6 +150,23 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Sheet& sheet, con
                   0.5 * (sheet.axes->top + sheet.axes->bottom), 0.32 * sheet.axes->width(), ink);
 }
 
+/// Texts on paper, so that they can be read on any colour.
+void draw_labels(const std::vector<Label>& labels, const Sheet& sheet, Image& image) {
+  Canvas canvas(image);
+  const double size = kLabelSize * sheet.text_size;
+  const Font& font = Font::sans();
+  for (const Label& label : labels) {
+    const Vector3 at = sheet.camera->project(label.place);
+    const double half_width = 0.5 * font.width(label.text, size),
+                 half_height = 0.5 * font.capital_height(size);
+    const double rim = 0.25 * size;
+    canvas.fill({at[0] - half_width - rim, at[1] - half_height - rim, at[0] + half_width + rim,
+                 at[1] + half_height + rim},
+                paper_of(PictureBackground::kLight), kLegendBacking);
+    canvas.text(label.text, at[0] - half_width, at[1] + half_height, size, ink_on(PictureBackground::kLight));
+  }
+}
+
 }  // namespace
 
 void write_picture(OutputFile& file, const Drawing& drawing, const Sheet& sheet,
@@ -155,6 +179,7 @@ void write_picture(OutputFile& file, const Drawing& drawing, const Sheet& sheet,
   render_options.haze = paper_of(options.background);
   if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
   render(drawing, *sheet.camera, render_options, image, monitor);
+  draw_labels(drawing.labels, sheet, image);
   if (shows(options, PicturePart::kLegend)) draw_legend(blocks, sheet, options, image);
   write_png(file, image, monitor, {.has_mark = true, .description = text_of(blocks)});
   file.commit();

@@ -2,6 +2,7 @@
 // What pictures of fields and of hexahedra have alike: options, where things are placed, the legend.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace crossgrain {
 /// Throws Error(kUsage) for options out of range.
 void check_options(const PictureOptions& options);
 
+/// Throws Error(kUsage) for a name of another format than PNG.
+void check_picture_name(const std::filesystem::path& picture);
+
 /// Throws Error(kUsage) with this text unless `sound`.
 void check_option(bool sound, const std::string& message);
 
@@ -26,6 +30,9 @@ bool shows(const PictureOptions& options, PicturePart part);
 
 /// The direction from which the options ask to see the model.
 ViewDirection direction_of(const PictureOptions& options);
+
+/// Size of the letters of labels, in that of the legend's.
+inline constexpr double kLabelSize = 0.85;
 
 /// The positions of the part, the legend and the axes.
 struct Sheet {

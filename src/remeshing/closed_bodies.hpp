@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "remeshing/patched_surface.hpp"
+#include "surface/patched_surface.hpp"
 
 namespace crossgrain {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "remeshing/patched_surface.hpp"
 #include "remeshing/remeshing_options.hpp"
 #include "surface/bvh.hpp"
+#include "surface/patched_surface.hpp"
 
 namespace crossgrain {
 

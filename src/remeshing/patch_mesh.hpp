@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "remeshing/patched_surface.hpp"
+#include "surface/patched_surface.hpp"
 
 namespace crossgrain {
 

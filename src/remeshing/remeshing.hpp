@@ -4,8 +4,8 @@
 #pragma once
 
 #include "crossgrain/monitor.hpp"
-#include "remeshing/patched_surface.hpp"
 #include "remeshing/remeshing_options.hpp"
+#include "surface/patched_surface.hpp"
 
 namespace crossgrain {
 

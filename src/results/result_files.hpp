@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/result_folder.hpp"
+
 namespace crossgrain {
 
 inline constexpr const char* kSurfaceFile = "surface.vtu";
@@ -17,6 +19,9 @@ inline constexpr const char* kTetGridFile = "onto.vtu";
 /// Returns the names of all files of the folder of a field: those of `write_field`, kPageFile and
 /// kStreamlinesFile.
 std::vector<std::string> all_result_files();
+
+/// Returns the names of the files of hexahedra that `write_field` writes with these options.
+std::vector<std::string> hexahedra_files(const OutputOptions& options);
 
 /// Returns false if there is certainly no such file. If the system does not tell, reading it will say why.
 bool may_exist(const std::filesystem::path& path);

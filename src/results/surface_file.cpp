@@ -23,6 +23,9 @@ namespace {
 /// Cell data of a surface of several solids: the solid of a triangle, and that on the other side.
 constexpr std::array kRegionArrays{field_arrays::kRegion, "region_beyond"};
 
+/// Cell data: SolvedSurface::faces, 0 for interfaces and creases.
+constexpr const char* kFaceArray = "face";
+
 /// Entry of these arrays for cells without a solid.
 constexpr std::int32_t kNoRegion = std::numeric_limits<std::int32_t>::min();
 
@@ -63,6 +66,10 @@ struct SurfaceRows {
     return cell < triangles ? surface.interface_regions[cell - outer][side] : kNoRegion;
   }
 
+  std::int32_t face(std::size_t cell) const {
+    return cell < surface.triangles.size() ? surface.faces[cell] : 0;
+  }
+
   const SolvedSurface& surface;
   const std::vector<Vector3>& vertices;
   std::size_t triangles;  ///< those of interfaces included
@@ -89,6 +96,9 @@ std::vector<VtuArray> arrays_of(const SurfaceRows& rows) {
   arrays.push_back(value_array<std::uint8_t>(
       VtuSection::kCells, "types", rows.cells(),
       [&rows](std::size_t i) { return i < rows.triangles ? kVtkTriangle : kVtkPolyLine; }));
+  if (!rows.surface.faces.empty())
+    arrays.push_back(value_array<std::int32_t>(VtuSection::kCellData, kFaceArray, rows.cells(),
+                                               [&rows](std::size_t i) { return rows.face(i); }));
   if (!rows.surface.regions.empty()) {
     for (const std::size_t side : {0, 1})
       arrays.push_back(
@@ -152,6 +162,11 @@ class SurfaceReader {
     }
     require(begin == entries.size());
     if (file_.find(VtuSection::kCellData, kRegionArrays[0])) take_regions(surface);
+    if (file_.find(VtuSection::kCellData, kFaceArray)) {
+      surface.faces = file_.read<std::int32_t>(VtuSection::kCellData, kFaceArray, 1);
+      require(surface.faces.size() == file_.cells());
+      surface.faces.resize(surface.triangles.size());
+    }
     return surface;
   }
 

@@ -7,6 +7,7 @@
 #include "measure/input_report.hpp"
 #include "solve/solve_checks.hpp"
 #include "surface/constraint_guides.hpp"
+#include "surface/model_faces.hpp"
 #include "surface/self_intersections.hpp"
 
 namespace crossgrain {
@@ -66,6 +67,7 @@ PreparedModel::PreparedModel(const TriangleMesh& mesh, SolidSplit split, const S
       interfaces_(std::move(split.between)),
       searchable_(
           std::make_shared<const SearchableSurface>(mended_and_checked(std::move(split.outer), options))),
+      face_numbers_(face_numbers(surface(), {.least_deg = options.crease_angle_deg})),
       creases_(surface(), inner_faces_, {.least_deg = options.crease_angle_deg},
                searchable_->winding().flipped()),
       guides_(guides_of(creases_, inner_faces_, surface(), options)),
@@ -91,6 +93,12 @@ SolveReport::Model PreparedModel::description() const {
   return model;
 }
 
+std::vector<ModelFace> PreparedModel::faces() const {
+  if (!mesh_.face_list.empty()) return mesh_.face_list;
+  return listed_faces(surface().mesh.vertices, surface().mesh.triangles, face_numbers_,
+                      mesh_.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged);
+}
+
 SolveReport::Input PreparedModel::findings() const {
   SurfaceFindings findings = mended().findings;
   find_self_intersections(mended(), searchable_->bvh(), searchable_->winding(), findings);
@@ -100,7 +108,9 @@ SolveReport::Input PreparedModel::findings() const {
 SurfaceSource PreparedModel::solved_surface() && {
   const TriangleMesh& mesh = surface().mesh;
   SolvedSurface released{mesh.vertices, mesh.triangles, crease_lines()};
+  released.faces = std::move(face_numbers_);
   if (has_several_solids(mesh_)) released.regions = mesh.solids;
+  released.faces = mesh.faces;
   add_interfaces(interfaces_, inner_faces_.vertices, released);
   const bool is_flipped = searchable_->winding().flipped();
   if (is_flipped) {

@@ -2,6 +2,7 @@
 // A model prepared for a solve: the repaired surface, tests for inside, and all constraints on frames.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,7 @@ class PreparedModel {
   std::vector<std::vector<Vector3>> crease_lines() const;
 
   SolveReport::Model description() const;
+  std::vector<ModelFace> faces() const;
   SolveReport::Input findings() const;
 
   /// Returns the surface that was solved. Leaves the model unusable.
@@ -49,6 +51,7 @@ class PreparedModel {
   TriangleMesh inner_faces_;
   std::vector<SolidSplit::Between> interfaces_;
   std::shared_ptr<const SearchableSurface> searchable_;
+  std::vector<std::int32_t> face_numbers_;  ///< of the triangles of the surface
   CreaseNetwork creases_;
   Guides guides_;
   Solid solid_;

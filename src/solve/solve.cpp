@@ -116,6 +116,7 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh,
     data.kept_forms = kept_forms(solved.level, model.solid(), options.degree, data.constraints);
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();
+  data.report.faces = model.faces();
   data.report.input = model.findings();
   data.singularities = std::make_shared<const SingularityGraph>(
       singularity_graph(singular_grid_edges(solved.level.tree, solved.frames, solved.open_faces, creases,

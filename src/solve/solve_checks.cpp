@@ -66,7 +66,7 @@ double memory_with(double cells) {
 Warning thin_walls_warning(const SolveReport& report, const Surface& surface, const SolveOptions& options) {
   const SolveReport::Walls& walls = report.walls;
   std::string text = fmt::format(
-      "walls below {:g} cells under {:.0f} % of the surface: under-resolved there, and resolved "
+      "walls below {:g} cells under {:.2g} % of the surface: under-resolved there, and resolved "
       "with {} cells along the longest side",
       walls.cells_wanted, 100 * walls.thin_share, walls.resolution_needed);
   const double needed =
@@ -178,7 +178,7 @@ std::vector<Warning> resolution_warnings(const SolveReport& report, const Surfac
   if (report.alignment_deg.excluded_share > kExcludedShareToWarnOf) {
     warnings.emplace_back(
         WarningKind::kExcludedSurface,
-        fmt::format("{:.0f} % of the surface lies in cells whose constraints no frame meets, and is left "
+        fmt::format("{:.2g} % of the surface lies in cells whose constraints no frame meets, and is left "
                     "out of alignment_deg",
                     100 * report.alignment_deg.excluded_share));
   }

@@ -24,6 +24,7 @@
 #include "solve/tet_field.hpp"
 #include "solve/tuned_solve.hpp"
 #include "solve/used_features.hpp"
+#include "tets/inner_walls.hpp"
 
 namespace crossgrain {
 namespace {
@@ -109,6 +110,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   // The grid only provides initial frames, so its resolution does not limit the field on tets
   // (docs/solver.md, "On tets").
   std::erase_if(report.warnings, is_of_resolution);
+  report.faces = model_faces(tets.solid, tets.walls);
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
   monitor.report({Phase::kTets, 0, tets.solid.mesh.vertices.size(), finished.sweeps, report.onto->dirichlet});
   report.onto->feature_edge_deg = angles_along(tets.solid, used.features().edges, field->vertex_frames);

@@ -235,6 +235,8 @@ TriangleMesh selected_triangles(const TriangleMesh& mesh, const std::vector<std:
   result.creases = mesh.creases;
   result.unit = mesh.unit;
   result.file_unit = mesh.file_unit;
+  result.face_list = mesh.face_list;
+  result.exact_size = mesh.exact_size;
   result.warnings = mesh.warnings;
   const auto select = [&](const auto& from, auto& to) {
     if (from.empty()) return;

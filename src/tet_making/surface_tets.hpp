@@ -2,7 +2,7 @@
 // From triangles around a solid to tets in it.
 #pragma once
 
-#include "remeshing/patched_surface.hpp"
+#include "surface/patched_surface.hpp"
 #include "surface/surface.hpp"
 #include "tet_making/tet_program.hpp"
 

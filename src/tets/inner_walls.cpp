@@ -7,6 +7,7 @@
 #include "base/ascending.hpp"
 #include "base/vector3.hpp"
 #include "surface/creases.hpp"
+#include "surface/model_faces.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
@@ -138,6 +139,22 @@ std::vector<std::int32_t> regions_of_boundary(const TetSolid& solid) {
     regions[f] = tet == kNoTet ? at_vertex[solid.boundary[f][0]] : solid.mesh.regions[tet];
   }
   return regions;
+}
+
+std::vector<ModelFace> model_faces(const TetSolid& solid, const std::vector<InnerWall>& walls) {
+  const TetMesh& mesh = solid.mesh;
+  if (mesh.given) return mesh.given->faces;
+  FaceTable table(FaceKind::kTagged);
+  const auto add = [&](const std::vector<Face>& faces, const auto& solids_of) {
+    const std::vector<std::int32_t> tags = tags_of_faces(mesh, faces);
+    for (std::size_t f = 0; f < tags.size(); ++f)
+      if (tags[f] != 0) table.add(tags[f], corners_of(faces[f], mesh.vertices), solids_of(f));
+  };
+  std::vector<Face> inside;
+  for (const InnerWall& wall : walls) inside.push_back(wall.vertices);
+  add(solid.boundary, [](std::size_t) { return 1u; });
+  add(inside, [&](std::size_t f) { return walls[f].separates_regions ? 2u : 0u; });
+  return table.faces();
 }
 
 TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& walls) {

@@ -34,6 +34,10 @@ std::vector<std::int32_t> regions_of_boundary(const TetSolid& solid);
 std::vector<std::array<std::uint32_t, 2>> followed_edges(const TetSolid& solid,
                                                          const std::vector<InnerWall>& walls);
 
+/// The faces of the model that the tets were made of (TetMesh::given), otherwise the tagged ones; ascending
+/// by number.
+std::vector<ModelFace> model_faces(const TetSolid& solid, const std::vector<InnerWall>& walls);
+
 /// The boundary with only the vertices used by it, walls and tagged edges, in the order of the solid. Several
 /// regions become its solids, and the faces between them are there twice; tagged faces within a region become
 /// its inner faces, tags of triangles its face numbers. If there are edges to follow, its creases are these

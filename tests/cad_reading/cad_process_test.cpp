@@ -90,6 +90,14 @@ TEST(CadProcess, HandsOverTheWholeMesh) {
   EXPECT_EQ(got.creases[0].points, sent.creases[0].points);
   EXPECT_EQ(got.creases[0].tangents, sent.creases[0].tangents);
   EXPECT_EQ(got.creases[0].tag, 5);
+  ASSERT_EQ(got.face_list.size(), 2u);
+  EXPECT_EQ(got.face_list[1].number, 2);
+  EXPECT_EQ(got.face_list[1].kind, FaceKind::kTorus);
+  EXPECT_EQ(got.face_list[1].area, 1.5);
+  EXPECT_EQ(got.face_list[1].centre, (Vector3{4, 5, 6}));
+  EXPECT_EQ(got.face_list[1].solids, 2u);
+  EXPECT_EQ(got.exact_size.volume, 1.5);
+  EXPECT_EQ(got.exact_size.area, 2.5);
   EXPECT_EQ(got.unit, "mm");
   EXPECT_EQ(got.file_unit, "inch");
   ASSERT_EQ(got.warnings.size(), 2u);

@@ -64,6 +64,15 @@ class WrongUsage(CommandTest):
     def test_a_picture_that_is_no_png_is_refused(self):
         self.refuse(["render", "a.frames", "-o", "a.jpg"], "a.jpg", "PNG")
 
+    def test_files_of_other_formats_than_are_written_are_refused(self):
+        for arguments, words in ((["streamlines", "a.frames", "-o", "lines.csv"], ".vtu, .vtp or .obj"),
+                                 (["sample", "a.frames", "1", "2", "3", "-o", "frames.vtu"], ".txt or .dat"),
+                                 (["sample", "a.frames", "1", "2", "3", "--outside", "out.csv"], ".txt or .dat"),
+                                 (["tets", "a.step", "-o", "tets.vtu"], ".mesh or .msh")):
+            with self.subTest(arguments=arguments):
+                self.assert_fails(self.run_here(*arguments), USAGE, arguments[-1], words)
+                self.assertEqual(self.names(), [])
+
     def test_values_out_of_range_are_refused(self):
         for option, value in [("--degree", "5"), ("--degree", "four"), ("--resolution", "3"), ("--resolution", "-1"),
                               ("--resolution", "1e99"), ("--cell-size", "0"), ("--cell-size", "-1"),

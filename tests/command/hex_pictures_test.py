@@ -63,10 +63,13 @@ class HexPictures(CommandTest):
         self.assertNotIn("none.png", self.names())
         return result.stderr
 
+    def test_tets_without_tags_have_no_colours_of_faces(self):
+        self.assertIn("no faces", self.refused("box.hexahedra", "--hexahedra", "--colour", "face", code=INPUT))
+
     def test_the_legend_tells_their_number_and_the_worst_shape(self):
         legend = self.render()
         self.assertIn(f"All-hex: {len(self.corners)} hexahedra\n", legend)
-        self.assertIn(f"worst {self.shapes.min():.2f}\n", legend)
+        self.assertIn(f"worst {self.shapes.min():.2g}\n", legend)
         self.assertNotIn("shown", legend)
 
     def test_the_picture_is_named_after_the_folder_and_the_folder_stays_as_it_is(self):
@@ -121,8 +124,9 @@ class HexPictures(CommandTest):
         self.assertIn("box.hexahedra/hexahedra.vtu: ", self.refused("box.hexahedra", "--hexahedra", code=INPUT))
 
     def test_options_of_fields_are_refused(self):
-        for option in (("--field", "tets"), ("--colour", "energy"), ("--color", "none"), ("--range", "0,1"), ("--frames", "boxes"), ("--streamlines",)):
+        for option in (("--field", "tets"), ("--range", "0,1"), ("--frames", "boxes"), ("--streamlines",)):
             self.assertIn("--hexahedra excludes ", self.refused("box.hexahedra", "--hexahedra", *option, code=USAGE))
+        self.assertIn("by face", self.refused("box.hexahedra", "--hexahedra", "--colour", "energy", code=USAGE))
         self.assertIn("--below requires --hexahedra", self.refused("box.hexahedra", "--below", "0.5", code=USAGE))
         self.assertIn("leaves no hexahedron", self.refused("box.hexahedra", "--hexahedra", "--view", "right", "--cut", f"x={self.vertices[:, 0].min() + 1e-3}", code=USAGE))
 

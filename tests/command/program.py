@@ -30,8 +30,8 @@ def run(*arguments, stdin=b"", program=PROGRAM, **options):
 
 
 def with_option(answer):
-    """The answer of a report as the program words it."""
-    return re.sub(r"use a resolution of (\d+)", r"use --resolution \1", answer)
+    """The answer of a report as `check` words it."""
+    return re.sub(r"use a resolution of (\d+)", r"solve with --resolution \1", answer)
 
 
 def no_more_processes():

@@ -38,6 +38,10 @@ bool check_cad_answer(std::string_view bytes) {
     require_finite(crease.points);
     require_finite(crease.tangents);
   }
+  for (const ModelFace& face : mesh.face_list) {
+    require(face.area >= 0 && name_of(face.kind)[0] != '\0', "a face without an area or a kind");
+    require_finite({face.centre});
+  }
   for (const std::string& text : {answer->fault.text, mesh.unit, mesh.file_unit}) require_line(text);
   require(mesh.warnings.size() <= kMostCadWarnings, "too many warnings");
   for (const Warning& warning : mesh.warnings) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "page/scene_hexahedra.hpp"
 #include "page/scene_tets.hpp"
 #include "singularity/axis_names.hpp"
+#include "support/shapes.hpp"
 
 namespace crossgrain {
 namespace {
@@ -108,15 +110,46 @@ TEST(PageScene, HasTheFacesBetweenRegionsOfTetsAndOfTheGrid) {
   EXPECT_FALSE(header_of(page_scene(field_on_tets()))["arrays"].contains("interface_triangles"));
 }
 
+/// What follows the header of a scene.
+const char* data_of(const std::string& bytes) {
+  std::uint32_t length = 0;
+  std::copy_n(bytes.data() + 8, sizeof length, reinterpret_cast<char*>(&length));
+  return bytes.data() + 12 + length;
+}
+
 /// A u32 array of a scene.
 std::vector<std::uint32_t> numbers_in(const std::string& bytes, const char* name) {
   const nlohmann::json array = header_of(bytes)["arrays"][name];
-  std::uint32_t length = 0;
-  std::copy_n(bytes.data() + 8, sizeof length, reinterpret_cast<char*>(&length));
   std::vector<std::uint32_t> numbers(array["shape"][0].get<std::size_t>());
-  std::memcpy(numbers.data(), bytes.data() + 12 + length + array["offset"].get<std::size_t>(),
+  std::memcpy(numbers.data(), data_of(bytes) + array["offset"].get<std::size_t>(),
               numbers.size() * sizeof numbers[0]);
   return numbers;
+}
+
+TEST(PageScene, TellsTheFaceOfEachTriangle) {
+  SolveOptions options;
+  options.resolution = 8;
+  const FrameField field = solve(make_box({1, 1, 1}), options);
+  const std::vector<std::uint32_t> faces = numbers_in(page_scene(field), "surface_face");
+  ASSERT_EQ(faces.size(), field.data().surface.get()->triangles.size());
+  EXPECT_EQ(std::set<std::uint32_t>(faces.begin(), faces.end()), (std::set<std::uint32_t>{1, 2, 3, 4, 5, 6}));
+}
+
+TEST(PageScene, TellsTheFacesOfHexahedra) {
+  HexMesh mesh = made_bricks({1, 1, 2}, {1, 1, 2});
+  SceneWriter scene;
+  add_hexahedra(mesh, {0, 0, 0}, 2, scene);
+  const nlohmann::json array = header_of(scene.bytes())["arrays"]["hex_face"];
+  EXPECT_EQ(array["shape"], (nlohmann::json{2, 6}));
+  EXPECT_EQ(array["type"], "u32");
+  // Bottom, top, -y, +x, +y, -x of the lower one, then the bottom of the upper one.
+  std::vector<std::uint32_t> faces(7);
+  std::memcpy(faces.data(), data_of(scene.bytes()) + array["offset"].get<std::size_t>(), 7 * sizeof faces[0]);
+  EXPECT_EQ(faces, (std::vector<std::uint32_t>{15, 0, 13, 12, 14, 11, 0}));
+  for (HexMesh::Face& face : mesh.boundary) face.tag = 0;
+  SceneWriter untagged;
+  add_hexahedra(mesh, {0, 0, 0}, 2, untagged);
+  EXPECT_EQ(header_of(untagged.bytes())["arrays"]["hex_face"]["shape"][0], 0);
 }
 
 TEST(PageScene, HasAllHexahedraWhereThereAreFew) {

@@ -102,6 +102,25 @@ TEST_F(HexPicture, IsAnotherForEveryOption) {
   EXPECT_EQ(contents.size(), 8u);
 }
 
+TEST_F(HexPicture, ByFaceHasTheColoursAndNumbersOfTheModelsFaces) {
+  HexMesh mesh = made_bricks({4, 3, 2}, {4, 3, 2});
+  std::set<std::string> contents{content_of(drawn(mesh))};
+  options.colour = PictureColour::kFace;
+  EXPECT_EQ(legend(mesh).find("Scaled Jacobian"), std::string::npos);
+  EXPECT_NE(legend(mesh).find("Faces (6)"), std::string::npos) << legend(mesh);
+  contents.insert(content_of(drawn(mesh)));
+  for (HexMesh::Face& face : mesh.boundary) face.tag = 3;
+  contents.insert(content_of(drawn(mesh)));
+  EXPECT_EQ(contents.size(), 3u);
+}
+
+TEST_F(HexPicture, ByFaceNeedsTagsOfFaces) {
+  HexMesh mesh = made_bricks({4, 3, 2}, {4, 3, 2});
+  for (HexMesh::Face& face : mesh.boundary) face.tag = 0;
+  options.colour = PictureColour::kFace;
+  EXPECT_EQ(error(mesh).first, ErrorKind::kInput);
+}
+
 /// Hexahedra behind the plane as seen, counted from their corners.
 std::size_t count_behind(const HexMesh& mesh, std::size_t axis, double position, bool keeps_high) {
   std::size_t count = 0;
@@ -155,7 +174,7 @@ TEST_F(HexPicture, DrawsTheHexahedraBelowALimit) {
 TEST_F(HexPicture, SaysInItsLegendWhatTheMeshIsAndHowGood) {
   const HexMesh mesh = crooked_bricks();
   const std::vector<double> shapes = scaled_jacobians(mesh);
-  const std::string worst = fmt::format("worst {:.2f}", *std::min_element(shapes.begin(), shapes.end()));
+  const std::string worst = fmt::format("worst {:.2g}", *std::min_element(shapes.begin(), shapes.end()));
   EXPECT_EQ(legend(mesh), "120 hexahedra\nScaled Jacobian\n  0 to 1\n  " + worst + "\n");
   HexReport report;
   report.outcome = HexOutcome::kAllHex;

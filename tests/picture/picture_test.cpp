@@ -92,13 +92,14 @@ TEST_F(Picture, IsAnotherForEveryOption) {
   with([&] { options.colour = PictureColour::kAlignment, options.range = {0, 1}; });
   with([&] { options.colour = PictureColour::kEnergy; });
   with([&] { options.colour = PictureColour::kConstraint; });
+  with([&] { options.colour = PictureColour::kFace; });
   with([&] { options.cut = PictureOptions::Cut{0, std::nullopt}; });
   with([&] { options.cut = PictureOptions::Cut{2, std::nullopt}, options.frames = PictureFrames::kCrosses; });
   with([&] { options.cut = PictureOptions::Cut{2, std::nullopt}, options.frames = PictureFrames::kNone; });
   with([&] { options.without = {PicturePart::kLines}; });
   with([&] { options.without = {PicturePart::kCreases}; });
   with([&] { options.up_axis = 1; });
-  EXPECT_EQ(contents.size(), 11u);
+  EXPECT_EQ(contents.size(), 12u);
 }
 
 TEST_F(Picture, HasALegendWhereThereIsRoomForOne) {

@@ -34,6 +34,8 @@ inline Octree sample_tree(int depth) {
 inline SolveReport sample_report() {
   SolveReport report;
   report.model = {"a \"quoted\" name.stl", 12, {{-1, -2, -3}, {0.1, 1.0 / 3, 1e300}}, true, 2, "mm", "INCH"};
+  report.faces = {{-2, FaceKind::kTagged, 0.25, {1, 2, 3}, 0, {}},
+                  {7, FaceKind::kCone, 1.5, {4, 5, 6}, 1, 12}};
   report.degree = 3;
   report.resolution = 7.3;
   report.levels = {{2, 100, 50, 12, 0.1, 0.2}, {3, 1000, 500, 5, 1.0 / 7, 0.4}};

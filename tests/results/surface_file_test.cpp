@@ -32,6 +32,7 @@ void expect_same(const SolvedSurface& a, const SolvedSurface& b) {
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.triangles, b.triangles);
   EXPECT_EQ(a.creases, b.creases);
+  EXPECT_EQ(a.faces, b.faces);
   EXPECT_EQ(a.interfaces, b.interfaces);
   EXPECT_EQ(a.regions, b.regions);
   EXPECT_EQ(a.interface_regions, b.interface_regions);
@@ -51,6 +52,17 @@ TEST(SurfaceFile, KeepsTheSolidsAndTheFacesBetweenThem) {
   surface.regions = {7, 7, -1, 0};
   surface.interfaces = {{0, 1, 3}, {1, 2, 3}};
   surface.interface_regions = {{7, -1}, {0, 7}};
+  write_field(field_of(with_surface(surface)), folder.path());
+  expect_same(*read_field(folder.path()).data().surface.get(), surface);
+}
+
+TEST(SurfaceFile, KeepsTheNumbersOfFaces) {
+  const TemporaryFolder folder;
+  SolvedSurface surface = made_surface();
+  surface.faces = {3, -1, 0, 12};
+  surface.regions = {7, 7, -1, 0};
+  surface.interfaces = {{0, 1, 3}};
+  surface.interface_regions = {{7, -1}};
   write_field(field_of(with_surface(surface)), folder.path());
   expect_same(*read_field(folder.path()).data().surface.get(), surface);
 }

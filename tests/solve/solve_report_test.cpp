@@ -27,6 +27,35 @@ TEST(SolveReport, PassesOnWhatReadingFound) {
   EXPECT_EQ(std::count(report.warnings.begin(), report.warnings.end(), warning), 1);
 }
 
+TEST(SolveReport, ListsTheFacesBetweenTheCreasesOfASurface) {
+  SolveTuning options;
+  options.resolution = 4;
+  const FrameField field = solve(make_box({1, 2, 3}), options);
+  const std::vector<ModelFace>& faces = field.report().faces;
+  ASSERT_EQ(faces.size(), 6u);
+  double area = 0;
+  for (const ModelFace& face : faces) {
+    EXPECT_EQ(face.kind, FaceKind::kPatch);
+    area += face.area;
+  }
+  EXPECT_NEAR(area, 22, 1e-12);
+  const auto surface = field.data().surface.get();
+  ASSERT_EQ(surface->faces.size(), surface->triangles.size());
+  for (const std::int32_t number : surface->faces) EXPECT_TRUE(number >= 1 && number <= 6) << number;
+}
+
+TEST(SolveReport, ListsTheFacesThatTheFileOfASurfaceKnows) {
+  TriangleMesh mesh = make_box({1, 2, 3});
+  mesh.faces.assign(mesh.triangles.size(), 4);
+  mesh.face_list = {{4, FaceKind::kCone, 1.5, {1, 2, 3}}};
+  SolveTuning options;
+  options.resolution = 4;
+  const std::vector<ModelFace> faces = solve(mesh, options).report().faces;
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_EQ(faces[0].kind, FaceKind::kCone);
+  EXPECT_EQ(faces[0].area, 1.5);
+}
+
 /// Six times the signed volume that triangles enclose.
 double volume6(const SolvedSurface& surface) {
   double sum = 0;

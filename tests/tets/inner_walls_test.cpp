@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 
+#include "base/vector3.hpp"
 #include "surface/surface.hpp"
 #include "surface/topology.hpp"
 #include "tets/tet_meshes.hpp"
@@ -49,6 +51,36 @@ TEST(InnerWalls, AreTaggedFacesInsideToo) {
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, WarningKind::kStrayTags);
   EXPECT_EQ(warnings[0].text, "tagged triangles that are not a face of any tet, ignored: 1 of 3");
+}
+
+TEST(ModelFacesOfTets, AreTheTaggedOnesWithTheSolidsThatTheyBound) {
+  TetMesh mesh = two_regions();
+  const auto at = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) { return kBox.at(x, y, z); };
+  mesh.feature_faces = {{{at(2, 1, 1), at(2, 0, 0), at(2, 1, 0)}, 3},  // inside a region
+                        {{at(1, 1, 1), at(1, 0, 0), at(1, 1, 0)}, 2},  // between two
+                        {{at(0, 0, 0), at(0, 1, 0), at(0, 1, 1)}, 9},  // on the boundary
+                        {{at(0, 0, 0), at(0, 0, 1), at(0, 1, 1)}, 9}};
+  const TetSolid solid = solid_of(mesh);
+  std::vector<Warning> warnings;
+  const std::vector<ModelFace> faces = model_faces(solid, find_inner_walls(solid, warnings));
+  ASSERT_EQ(faces.size(), 3u);
+  EXPECT_EQ(faces[0].number, 2);
+  EXPECT_EQ(faces[0].solids, 2u);
+  EXPECT_EQ(faces[1].solids, 0u);
+  EXPECT_EQ(faces[2].solids, 1u);
+  EXPECT_EQ(faces[2].kind, FaceKind::kTagged);
+  EXPECT_DOUBLE_EQ(faces[2].area, 1);
+  EXPECT_LT(norm(faces[2].centre - Vector3{0, 0.5, 0.5}), 1e-12);
+}
+
+TEST(ModelFacesOfTets, AreThoseOfTheModelThatTheTetsWereMadeOf) {
+  TetMesh mesh = kBox.mesh();
+  mesh.feature_faces = {{{kBox.at(0, 0, 0), kBox.at(0, 1, 0), kBox.at(0, 1, 1)}, 2}};
+  mesh.given = std::make_shared<const GivenModel>(
+      GivenModel{ModelSource::kCad, {{5, FaceKind::kSphere, 2}}, {}, {}, {}});
+  const std::vector<ModelFace> faces = model_faces(solid_of(mesh), {});
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_EQ(faces[0].kind, FaceKind::kSphere);
 }
 
 TEST(InnerWalls, AreNoneOfAPlainMesh) {

@@ -14,6 +14,7 @@
 #include "cad_reading/cad_messages.hpp"
 #include "cad_reading/program/bodies.hpp"
 #include "cad_reading/program/confinement.hpp"
+#include "cad_reading/program/exact_faces.hpp"
 #include "cad_reading/program/fault.hpp"
 #include "cad_reading/program/shape_file.hpp"
 #include "cad_reading/program/solid_text.hpp"
@@ -32,6 +33,9 @@ CadAnswer read(const CadRequest& request) {
   CadAnswer answer;
   TriangleMesh& mesh = answer.mesh;
   mesh = tessellate(bodies, request.options);
+  const ExactFaces exact = exact_faces(bodies);
+  mesh.face_list = exact.faces;
+  mesh.exact_size = exact.size;
   mesh.unit = file.unit;
   mesh.file_unit = one_line(file.file_unit);
   mesh.warnings.insert(mesh.warnings.begin(), bodies.warnings.begin(), bodies.warnings.end());

@@ -78,7 +78,8 @@ void write_faces(OutputFile& file, const std::string& name, const HexGroup& grou
 
 void write_abaqus_hexahedra(OutputFile& file, const HexOutput& output, const Monitor& monitor) {
   const HexMesh& mesh = output.mesh;
-  file.write(text_mark(kHexContent, file.solve(), "** ") + unit_comment(mesh.unit) + "*NODE, NSET=ALL\n");
+  file.write(text_mark(output.content(), file.solve(), "** ") + unit_comment(mesh.unit) +
+             "*NODE, NSET=ALL\n");
   const auto put_node = [&](std::size_t v, char* out) {
     const auto& [x, y, z] = mesh.vertices[v];
     out = put_integer(out, static_cast<std::int64_t>(v + 1), ',');

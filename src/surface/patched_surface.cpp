@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "remeshing/patched_surface.hpp"
+#include "surface/patched_surface.hpp"
 
 #include <algorithm>
 #include <set>

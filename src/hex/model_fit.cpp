@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/model_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+#include "measure/hex_quality.hpp"
+#include "surface/bvh.hpp"
+#include "surface/model_faces.hpp"
+#include "surface/surface.hpp"
+#include "tets/tet_shape.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Share of the model's volume that is worth a warning, and distance in sizes of hexahedra.
+constexpr double kPoorVolume = 0.03, kPoorDistance = 0.5;
+
+/// Faces that a warning names.
+constexpr std::size_t kMostNamed = 5;
+
+/// Each face as four triangles around its centroid.
+TriangleMesh triangles_of(const HexMesh& mesh) {
+  TriangleMesh triangles;
+  triangles.vertices = mesh.vertices;
+  for (const HexMesh::Face& face : mesh.boundary) {
+    Vector3 centre{0, 0, 0};
+    for (const std::uint32_t v : face.vertices) centre += 0.25 * mesh.vertices[v];
+    const auto middle = static_cast<std::uint32_t>(triangles.vertices.size());
+    triangles.vertices.push_back(centre);
+    for (std::size_t k = 0; k < 4; ++k)
+      triangles.triangles.push_back({face.vertices[k], face.vertices[(k + 1) % 4], middle});
+  }
+  return triangles;
+}
+
+Farthest farthest_from(const Surface& surface, const std::vector<Vector3>& points) {
+  Farthest result;
+  if (points.empty()) return result;
+  const TriangleBvh tree(surface);
+  std::vector<double> distances(points.size());
+  parallel_for(points.size(),
+               [&](std::size_t k) { distances[k] = std::sqrt(tree.nearest(points[k]).squared_distance); });
+  const auto largest = std::max_element(distances.begin(), distances.end());
+  result.distance = *largest;
+  result.place = points[static_cast<std::size_t>(largest - distances.begin())];
+  result.mean =
+      std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
+  return result;
+}
+
+/// The vertices of the boundary, each once.
+std::vector<Vector3> boundary_points(const HexMesh& mesh) {
+  std::vector<std::uint32_t> used;
+  for (const HexMesh::Face& face : mesh.boundary)
+    used.insert(used.end(), face.vertices.begin(), face.vertices.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<Vector3> points;
+  for (const std::uint32_t v : used) points.push_back(mesh.vertices[v]);
+  return points;
+}
+
+void measure_distances(const HexMesh& mesh, const Surface& model, const TetSolid& tets, HexReport& report) {
+  const Farthest away = farthest_from(model, boundary_points(mesh));
+  report.largest_distance = away.distance;
+  report.largest_distance_place = away.place;
+  report.mean_distance = away.mean;
+  std::vector<Vector3> points = points_on(model.mesh.vertices, model.mesh.triangles);
+  for (const auto& triangle : tets.boundary)
+    for (const std::uint32_t v : triangle) points.push_back(tets.mesh.vertices[v]);
+  const Farthest missed = farthest_from(mesh, points);
+  report.largest_distance_of_model = missed.distance;
+  report.largest_distance_of_model_place = missed.place;
+}
+
+/// Area over the largest extent: of a strip its width, of other faces less than that. 0 for a face without
+/// triangles.
+double width_of(const ModelFace& face, const TetSolid& tets, const std::vector<std::int32_t>& tags) {
+  std::vector<Vector3> points;
+  for (std::size_t f = 0; f < tags.size(); ++f)
+    if (tags[f] == face.number)
+      for (const std::uint32_t v : tets.boundary[f]) points.push_back(tets.mesh.vertices[v]);
+  if (points.empty()) return 0;
+  // From any point to the farthest, and from there again: at least 1/sqrt(3) of the diameter, nearly all of
+  // it for strips.
+  Vector3 from = points.front();
+  double extent = 0;
+  for (int pass = 0; pass < 2; ++pass) {
+    const Vector3 start = from;
+    extent = 0;
+    for (const Vector3& point : points) {
+      if (norm(point - start) <= extent) continue;
+      extent = norm(point - start);
+      from = point;
+    }
+  }
+  return extent > 0 ? face.area / extent : 0;
+}
+
+const char* words_of(FaceKind kind) {
+  constexpr std::array kWords{
+      "a plane",          "a cylinder",           "a cone",        "a sphere",       "a torus",
+      "an extruded face", "a face of revolution", "a spline face", "an offset face", "a curved face",
+      "a patch",          "tagged triangles"};
+  return kWords.at(static_cast<std::size_t>(kind));
+}
+
+}  // namespace
+
+Farthest farthest_from(const HexMesh& mesh, const std::vector<Vector3>& points) {
+  return farthest_from(prepare_surface(CheckedMesh::derived(triangles_of(mesh))), points);
+}
+
+std::vector<Vector3> points_on(const std::vector<Vector3>& vertices,
+                               const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  std::vector<Vector3> points;
+  points.reserve(4 * triangles.size());
+  for (const auto& triangle : triangles) {
+    Vector3 centroid{0, 0, 0};
+    for (const std::uint32_t v : triangle) {
+      points.push_back(vertices[v]);
+      centroid += (1.0 / 3) * vertices[v];
+    }
+    points.push_back(centroid);
+  }
+  return points;
+}
+
+void measure_fit(const HexMesh& mesh, const TetSolid& tets, HexReport& report) {
+  const std::vector<double> volumes = volumes_of(mesh);
+  report.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  report.area = boundary_area(mesh);
+  TriangleMesh triangles;
+  if (const GivenModel* const given = tets.mesh.given.get()) {
+    report.model = given->source;
+    report.model_volume = given->size.volume;
+    report.model_area = given->size.area;
+    triangles.vertices = given->vertices;
+    triangles.triangles = given->triangles;
+  } else {
+    report.model = ModelSource::kTets;
+    report.model_volume = volume_of(tets.mesh);
+    report.model_area = size_of(tets.mesh.vertices, tets.boundary).area;
+    triangles.vertices = tets.mesh.vertices;
+    triangles.triangles = tets.boundary;
+  }
+  if (mesh.boundary.empty()) return;
+  measure_distances(mesh, prepare_surface(CheckedMesh::derived(std::move(triangles))), tets, report);
+}
+
+void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces) {
+  std::map<std::int64_t, std::size_t> counts;
+  for (const HexMesh::Face& face : mesh.boundary) ++counts[face.tag];
+  const bool has_tags = counts.size() > counts.count(0);
+  for (ModelFace& face : faces) {
+    face.quads.reset();
+    if (has_tags && face.solids == 1) face.quads = counts[face.number];
+  }
+}
+
+std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
+                                           double size) {
+  std::vector<ModelFace> bare;
+  for (const ModelFace& face : faces)
+    if (face.quads == std::size_t{0}) bare.push_back(face);
+  if (bare.empty()) return std::nullopt;
+  std::stable_sort(bare.begin(), bare.end(),
+                   [](const ModelFace& a, const ModelFace& b) { return a.area > b.area; });
+  const std::vector<std::int32_t> tags = tags_of_faces(tets.mesh, tets.boundary);
+  std::string text = fmt::format("{} of the model {} no quads: ", counted(bare.size(), "face"),
+                                 bare.size() == 1 ? "has" : "have");
+  bool are_narrow = true;
+  for (std::size_t k = 0; k < bare.size(); ++k) {
+    const ModelFace& face = bare[k];
+    const double width = width_of(face, tets, tags);
+    are_narrow = are_narrow && width < size;
+    if (k >= kMostNamed) continue;
+    text += fmt::format("{}face {}, {} of area {:.3g}", k > 0 ? "; " : "", face.number, words_of(face.kind),
+                        face.area);
+    if (width > 0) text += fmt::format(" and about {:.2g} wide", width);
+    text += fmt::format(", around {:.4g} {:.4g} {:.4g}", face.centre[0], face.centre[1], face.centre[2]);
+  }
+  if (bare.size() > kMostNamed) text += fmt::format("; and {} more", bare.size() - kMostNamed);
+  if (!are_narrow) return Warning(WarningKind::kFacesWithoutQuads, std::move(text));
+  text += fmt::format("; the hexahedra of {:.3g} are larger", size);
+  return Warning(WarningKind::kFacesWithoutQuads, std::move(text), Remedy::kTakeSmallerHexahedra);
+}
+
+std::optional<Warning> poor_fit(const HexReport& report) {
+  if (report.hexahedra == 0 || report.model_volume <= 0) return std::nullopt;
+  const double missed = report.volume / report.model_volume - 1;
+  const bool is_off = report.largest_distance > report.largest_distance_of_model;
+  const double distance = is_off ? report.largest_distance : report.largest_distance_of_model;
+  const Vector3& at = is_off ? report.largest_distance_place : report.largest_distance_of_model_place;
+  std::vector<std::string> faults;
+  if (std::abs(missed) > kPoorVolume)
+    faults.push_back(fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
+                                 missed < 0 ? "less" : "more"));
+  if (distance > kPoorDistance * report.used_size)
+    faults.push_back(
+        fmt::format("are up to {:.2g} away from the model's surface, at {:.4g} {:.4g} {:.4g}, which is "
+                    "{:.2g} of their size",
+                    distance, at[0], at[1], at[2], distance / report.used_size));
+  if (faults.empty()) return std::nullopt;
+  return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")),
+                 Remedy::kTakeSmallerHexahedra);
+}
+
+}  // namespace crossgrain

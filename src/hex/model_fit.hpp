@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// How well hexahedra fit the model as given.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "crossgrain/hex_mesh.hpp"
+#include "crossgrain/hex_report.hpp"
+#include "crossgrain/types.hpp"
+#include "crossgrain/warning.hpp"
+#include "tets/tet_solid.hpp"
+
+namespace crossgrain {
+
+/// A largest distance, and the point that is so far away.
+struct Farthest {
+  double distance = 0, mean = 0;
+  Vector3 place{0, 0, 0};
+};
+
+/// The largest distance from points to the boundary of a mesh, which has one.
+Farthest farthest_from(const HexMesh& mesh, const std::vector<Vector3>& points);
+
+/// Vertices and centroids of triangles.
+std::vector<Vector3> points_on(const std::vector<Vector3>& vertices,
+                               const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+/// Fills in volumes, areas and distances: beside the model that the tets were made of (TetMesh::given),
+/// otherwise beside the tets.
+void measure_fit(const HexMesh& mesh, const TetSolid& tets, HexReport& report);
+
+/// Fills in ModelFace::quads of the faces that bound the model, unless the boundary has no tags.
+void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces);
+
+/// A warning with the list of faces that have no quads; none if all have some. `tets` are tagged.
+std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
+                                           double size);
+
+/// A warning with the figures if hexahedra miss much of the volume, or are far from the surface.
+std::optional<Warning> poor_fit(const HexReport& report);
+
+}  // namespace crossgrain

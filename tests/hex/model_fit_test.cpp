@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/model_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/vector3.hpp"
+#include "measure/hex_faces.hpp"
+#include "support/shapes.hpp"
+#include "surface/surface.hpp"
+#include "tets/tet_meshes.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// One hexahedron, the box from the origin to `high`, with tags of its six faces in the order of kHexFaces.
+HexMesh brick(const Vector3& high, const std::array<std::int32_t, 6>& tags = {}) {
+  HexMesh mesh;
+  for (const auto& [x, y, z] : std::initializer_list<Vector3>{
+           {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}})
+    mesh.vertices.push_back({x * high[0], y * high[1], z * high[2]});
+  mesh.hexahedra = {{0, 1, 2, 3, 4, 5, 6, 7}};
+  for (std::size_t f = 0; f < 6; ++f) {
+    HexMesh::Face& face = mesh.boundary.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) face.vertices[k] = kHexFaces[f][k];
+    face.tag = tags[f];
+  }
+  return mesh;
+}
+
+TetSolid tets_of(TetMesh mesh) {
+  std::vector<Warning> warnings;
+  return prepare_tets(std::move(mesh), warnings);
+}
+
+/// A box of 4 by 3 by 2 as tets, made of a model that is given.
+TetSolid box_of(std::optional<GivenModel> given = {}) {
+  TetMesh mesh = TetBox{{4, 3, 2}}.mesh(0);
+  if (given) mesh.given = std::make_shared<const GivenModel>(*std::move(given));
+  return tets_of(std::move(mesh));
+}
+
+HexReport fit_of(const HexMesh& mesh, const TetSolid& tets) {
+  HexReport report;
+  report.hexahedra = mesh.hexahedra.size();
+  report.used_size = 2;
+  measure_fit(mesh, tets, report);
+  return report;
+}
+
+TEST(ModelFit, OfTetsThatWereReadIsToldBesideThese) {
+  const TetSolid tets = box_of();
+  const Box box = box_of_solid_triangles({tets.mesh.vertices, tets.boundary});
+  HexMesh mesh = brick(box.high - box.low);
+  for (Vector3& vertex : mesh.vertices) vertex += box.low;
+  const HexReport report = fit_of(mesh, tets);
+  EXPECT_EQ(report.model, ModelSource::kTets);
+  EXPECT_NEAR(report.volume, report.model_volume, 1e-9);
+  EXPECT_NEAR(report.area, report.model_area, 1e-9);
+  EXPECT_LT(report.largest_distance, 1e-12);
+  EXPECT_LT(report.largest_distance_of_model, 1e-12);
+  EXPECT_FALSE(poor_fit(report));
+}
+
+TEST(ModelFit, OfAGivenModelIsToldBesideThatWithItsPlaces) {
+  // The tets have less than the model, as facets in a cylinder have; the hexahedra fill the tets.
+  const TetSolid bare = box_of();
+  const Box box = box_of_solid_triangles({bare.mesh.vertices, bare.boundary});
+  TriangleMesh larger = make_box({4, 3, 3});
+  const Box its_box = box_of_solid_triangles(larger);
+  for (Vector3& vertex : larger.vertices) vertex += box.low - its_box.low;
+  const TetSolid tets =
+      box_of(GivenModel{ModelSource::kCad, {}, {36, 66}, larger.vertices, larger.triangles});
+  HexMesh mesh = brick(box.high - box.low);
+  for (Vector3& vertex : mesh.vertices) vertex += box.low;
+  const HexReport report = fit_of(mesh, tets);
+  EXPECT_EQ(report.model, ModelSource::kCad);
+  EXPECT_EQ(report.model_volume, 36);
+  EXPECT_EQ(report.model_area, 66);
+  EXPECT_NEAR(report.volume, 24, 1e-9);
+  EXPECT_NEAR(report.largest_distance, 0, 1e-12);
+  EXPECT_NEAR(report.largest_distance_of_model, 1, 1e-12);
+  EXPECT_NEAR(report.largest_distance_of_model_place[2], box.low[2] + 3, 1e-12);
+}
+
+TEST(ModelFit, IsPoorWithMuchLessVolumeOrFarFromTheSurface) {
+  HexReport report;
+  report.hexahedra = 1;
+  report.used_size = 2;
+  report.volume = 81, report.model_volume = 100;
+  EXPECT_EQ(poor_fit(report)->text, "the hexahedra have 19 % less volume than the model");
+  EXPECT_EQ(poor_fit(report)->kind, WarningKind::kPoorFit);
+  report.volume = 100.5;
+  EXPECT_FALSE(poor_fit(report));
+  report.largest_distance_of_model = 1.5;
+  report.largest_distance_of_model_place = {4, 0, 2};
+  EXPECT_EQ(
+      poor_fit(report)->text,
+      "the hexahedra are up to 1.5 away from the model's surface, at 4 0 2, which is 0.75 of their size");
+}
+
+TEST(FacesWithoutQuads, AreThoseOnTheOutsideThatNoTagNames) {
+  std::vector<ModelFace> faces(3);
+  for (std::size_t k = 0; k < 3; ++k) faces[k].number = static_cast<std::int64_t>(k + 1);
+  faces[2].solids = 2;
+  count_quads(brick({1, 1, 1}, {1, 1, 1, 1, 1, 0}), faces);
+  EXPECT_EQ(faces[0].quads, 5u);
+  EXPECT_EQ(faces[1].quads, 0u);
+  EXPECT_FALSE(faces[2].quads);
+  count_quads(brick({1, 1, 1}), faces);
+  for (const ModelFace& face : faces) EXPECT_FALSE(face.quads);
+}
+
+TEST(FacesWithoutQuads, AreWarnedOfWithTheirWidth) {
+  TetMesh mesh = TetBox{{4, 3, 2}}.mesh(0);
+  const TetSolid untagged = tets_of(mesh);
+  const Box box = box_of_solid_triangles({mesh.vertices, untagged.boundary});
+  for (const auto& triangle : untagged.boundary) {
+    const bool is_top = std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t v) {
+      return mesh.vertices[v][2] > box.high[2] - 1e-9;
+    });
+    mesh.feature_faces.push_back({triangle, is_top ? 7 : 1});
+  }
+  const TetSolid tets = tets_of(mesh);
+  ModelFace face{7, FaceKind::kPlane, 12, {2, 1.5, 2}};
+  face.quads = 0;
+  const auto warning = faces_without_quads({face}, tets, 3);
+  ASSERT_TRUE(warning);
+  EXPECT_EQ(warning->kind, WarningKind::kFacesWithoutQuads);
+  EXPECT_EQ(
+      warning->text,
+      "1 face of the model has no quads: face 7, a plane of area 12 and about 2.4 wide, around 2 1.5 2; "
+      "the hexahedra of 3 are larger");
+  EXPECT_EQ(warning->remedy, Remedy::kTakeSmallerHexahedra);
+  EXPECT_EQ(faces_without_quads({face}, tets, 1)->remedy, Remedy::kNone);
+  const auto many = faces_without_quads(std::vector<ModelFace>(8, face), tets, 3);
+  EXPECT_NE(many->text.find("8 faces of the model have no quads"), std::string::npos) << many->text;
+  EXPECT_NE(many->text.find("; and 3 more"), std::string::npos) << many->text;
+  face.quads = 1;
+  EXPECT_FALSE(faces_without_quads({face}, tets, 3));
+}
+
+}  // namespace
+}  // namespace crossgrain
