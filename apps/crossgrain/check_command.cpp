@@ -118,7 +118,10 @@ std::string comparison_with(const SolveReport::Coarser& coarser, const Singulari
 
 /// What became of hexahedra counts more than whether they fit the field.
 std::string hexahedra_line(const SolveReport& report) {
-  return report.hexahedra ? "hexahedra: " + line_of(*report.hexahedra) + "\n" : "";
+  if (!report.hexahedra) return "";
+  const HexReport& hexahedra = *report.hexahedra;
+  return "hexahedra: " +
+         sentence_of(hexahedra, words_of(hexahedra.remedy, hexahedra.remedy_number, Command::kHex)) + "\n";
 }
 
 std::string reasons_of(const Answer& answer) {

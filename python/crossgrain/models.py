@@ -309,8 +309,8 @@ def _read_surface(path: Any, options: Optional[Handle]) -> Surface:
 
 def read_tets(path: Any, *, max_memory_bytes: int = 0, unit: str = "",
               tags_options: Optional[TetTagOptions] = None) -> TetMesh:
-    """Reads a tet mesh (Medit, Gmsh, VTK), also packed by gzip, and prepares it for a field. ``unit`` is that
-    of its coordinates, which no format names. Raises InputError like `read_surface`."""
+    """Reads a tet mesh (Medit, Gmsh, VTK), also packed by gzip, and prepares it for a field. ``unit`` is
+    that of its coordinates, which no format names. Raises InputError like `read_surface`."""
     start = time.perf_counter()
     encoded, most = path_bytes(path), integer(max_memory_bytes, "max_memory_bytes", 0, 2**63 - 1)
     mesh = watched(lambda monitor: made("tets", "tets_read", encoded, most, monitor.handle))

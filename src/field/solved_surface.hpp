@@ -32,9 +32,6 @@ struct SolvedSurface {
   /// there is only one solid or earlier versions wrote the file.
   std::vector<std::int32_t> regions = {};
   std::vector<std::array<std::int32_t, 2>> interface_regions = {};
-
-  /// The face of the model of each triangle (TriangleMesh::faces); empty without numbers, and in files.
-  std::vector<std::int32_t> faces = {};
 };
 
 /// The outer surface, for searching. Throws Error(kInput) if no triangle has an area.

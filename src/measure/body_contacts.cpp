@@ -27,7 +27,7 @@ namespace {
 /// Gap that rounding leaves, relative to the longest side of all tets.
 constexpr double kRounding = 1e-6;
 
-constexpr std::uint32_t kNone = UINT32_MAX;
+constexpr std::uint32_t kUnused = UINT32_MAX;
 
 /// Gap between two triangulations of one curved surface, in sagittas of their triangles: of a circle's chord
 /// the sagitta is exact, and triangles of a doubly curved surface are flatter in one direction than in
@@ -105,12 +105,12 @@ std::vector<std::vector<std::size_t>> boundaries_of(const TetSolid& solid) {
 /// The boundary of each component, as TriangleMesh::faces the regions of its tets; null without one.
 Bodies bodies_of(const TetSolid& solid) {
   Bodies bodies;
-  std::vector<std::uint32_t> new_index(solid.mesh.vertices.size(), kNone);
+  std::vector<std::uint32_t> new_index(solid.mesh.vertices.size(), kUnused);
   for (const std::vector<std::size_t>& faces : boundaries_of(solid)) {
     TriangleMesh mesh;
     for (const std::size_t f : faces) {
       for (const std::uint32_t v : solid.boundary[f]) {
-        if (new_index[v] != kNone) continue;
+        if (new_index[v] != kUnused) continue;
         new_index[v] = static_cast<std::uint32_t>(mesh.vertices.size());
         mesh.vertices.push_back(solid.mesh.vertices[v]);
       }
@@ -121,7 +121,7 @@ Bodies bodies_of(const TetSolid& solid) {
     }
     // Bodies may have vertices in common.
     for (const std::size_t f : faces)
-      for (const std::uint32_t v : solid.boundary[f]) new_index[v] = kNone;
+      for (const std::uint32_t v : solid.boundary[f]) new_index[v] = kUnused;
     bodies.push_back(faces.empty() ? nullptr : std::make_unique<TetBody>(std::move(mesh)));
   }
   return bodies;

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
+
+#include "base/degree.hpp"
 
 namespace crossgrain {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The corners of a triangle after and before one of them.
 std::array<std::uint32_t, 2> others(const std::array<std::uint32_t, 3>& triangle, std::uint32_t vertex) {

@@ -110,7 +110,6 @@ SurfaceSource PreparedModel::solved_surface() && {
   SolvedSurface released{mesh.vertices, mesh.triangles, crease_lines()};
   released.faces = std::move(face_numbers_);
   if (has_several_solids(mesh_)) released.regions = mesh.solids;
-  released.faces = mesh.faces;
   add_interfaces(interfaces_, inner_faces_.vertices, released);
   const bool is_flipped = searchable_->winding().flipped();
   if (is_flipped) {
