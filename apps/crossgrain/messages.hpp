@@ -21,7 +21,9 @@ auto naming(const std::string& file, const Compute& compute) {
   try {
     return compute();
   } catch (const Error& error) {
-    const bool is_of_mesh = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit;
+    // Usage: of sizes that do not suit the mesh.
+    const bool is_of_mesh = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit ||
+                            error.kind() == ErrorKind::kUsage;
     if (!is_of_mesh || !error.file().empty()) throw;
     throw error.with_file(file);
   }

@@ -441,7 +441,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     };
     const auto tell = [&](const char* what, const ModelSummary& model) {
       if (arguments.quiet) return;
-      lines.leave_line();
+      lines.end_line();
       print_result(row(what, sentence_of(model)));
     };
     bool has_model = false;

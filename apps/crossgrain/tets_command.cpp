@@ -56,7 +56,7 @@ void run_tets(const TetsArguments& arguments) {
     Monitor monitor([&lines](const Progress& progress) { lines.show(progress); }, {},
                     [&](const ModelSummary& model) {
                       if (arguments.quiet) return;
-                      lines.leave_line();
+                      lines.end_line();
                       print_result(row("model", sentence_of(model)));
                     });
     const Interruption interruption(monitor, lines.is_moving());

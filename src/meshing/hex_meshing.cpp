@@ -59,7 +59,9 @@ Hexahedra in_tets(const Make& make, const HexMeshingOptions& options, const Moni
 
 /// Returns what an error about a model in a file is.
 Error named(const Error& error, const std::filesystem::path& model) {
-  const bool is_of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit;
+  // Usage: of sizes that do not suit the model.
+  const bool is_of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit ||
+                           error.kind() == ErrorKind::kUsage;
   return is_of_model && error.file().empty() ? error.with_file(model.string()) : error;
 }
 

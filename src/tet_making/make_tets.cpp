@@ -327,8 +327,10 @@ TetMesh make_tets(const std::filesystem::path& model, const TetMakingTuning& opt
     reading.unit = options.unit;
     return triangle_tets(read_surface(model, reading, monitor), options, monitor);
   } catch (const Error& error) {
+    // Usage: of sizes that do not suit the model.
     const bool is_of_model =
-        error.file().empty() && (error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit);
+        error.file().empty() && (error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit ||
+                                 error.kind() == ErrorKind::kUsage);
     if (is_of_model) throw error.with_file(model.string());
     throw;
   }
