@@ -47,8 +47,9 @@ mkdir -p "$(dirname "$result")"
 
 show_report "$result/report.json"
 cat <<EOF
+Hexahedra:   $("$program" check "$result" | head -n 1)
 Look at it:  $result/report.html   (in any browser; or: $program view $result)
 The field:   $result/field.vtu   (opens in ParaView)
 The report:  $result/report.json
-Next:        $program solve YOUR_PART.stl --resolution 128
+Next:        $program hex YOUR_PART.step
 EOF

@@ -41,11 +41,13 @@ LAYERS = [layer for layers, _ in COMPONENTS.values() for layer in layers] + ["c_
 
 # Layers below another in its component that it stands beside, not above.
 BESIDE = {
-    "process": ["text", "vtu"],
+    "archives": ["text"],
+    "vtu": ["archives"],
+    "process": ["text", "archives", "vtu"],
     "cad_reading": ["text", "vtu"],
     "mesh_files": ["process"],
     "results": ["process", "cad_reading"],
-    "remeshing": ["text", "vtu", "process", "cad_reading", "mesh_files", "results"],
+    "remeshing": ["text", "archives", "vtu", "process", "cad_reading", "mesh_files", "results"],
     "tet_making": ["results"],
 }
 

@@ -147,6 +147,8 @@ ADDED = {"OutputOptions": [
 NAMES = {
     "TetBoundary": {"kAll": "all", "kSmoothOnly": "smooth-only"},
     "TetMaker": {"kAutomatic": "automatic", "kGmsh": "gmsh", "kNetgen": "netgen"},
+    "LengthUnit": {"kUnknown": "none", "kMicrometre": "um", "kMillimetre": "mm", "kCentimetre": "cm",
+                   "kMetre": "m", "kInch": "inch", "kFoot": "foot"},
     "ForeignFiles": {"kRefuse": "refuse", "kKeep": "keep", "kReplace": "replace"},
     "PictureColour": {"kNone": "none", "kAlignment": "alignment", "kEnergy": "energy", "kConstraint": "class",
                       "kRegion": "region", "kFace": "face"},

@@ -166,14 +166,14 @@ int run(Processes& processes, int argc, char** argv) {
     if (const auto* finished = std::get_if<Finished>(&parsed)) return finished->exit_code;
     const auto& arguments = std::get<SolveArguments>(parsed);
     model = arguments.model;
-    tells_work = arguments.tells_work;
+    tells_work = arguments.verbose;
     failure.exit_code = solve(team, processes, arguments);
   } catch (const FailedElsewhere& failed) {
     return failed.exit_code;
   } catch (const OtherProcessFailed&) {
     // That process tells of it.
   } catch (...) {
-    failure = failure_of(std::current_exception(), model, Command::kSolve);
+    failure = failure_of(std::current_exception(), model, Command::kProcesses);
     tells_work = false;
   }
   const int exit_code = team.end(failure);

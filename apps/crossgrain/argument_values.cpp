@@ -93,6 +93,15 @@ std::optional<std::vector<Vector3>> parse_points(const std::vector<std::string>&
   return points;
 }
 
+std::optional<LengthUnit> parse_unit(const std::string& text) {
+  for (int number = 1;; ++number) {
+    const auto unit = static_cast<LengthUnit>(number);
+    const std::string name = name_of(unit);
+    if (name.empty()) return std::nullopt;
+    if (name == text) return unit;
+  }
+}
+
 std::optional<std::size_t> parse_bytes(const std::string& text) {
   const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
   double number = 0;

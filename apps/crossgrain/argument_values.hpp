@@ -34,6 +34,9 @@ std::string fault_of_box(const std::string& text);
 /// them.
 std::optional<std::vector<Vector3>> parse_points(const std::vector<std::string>& texts);
 
+/// Returns the unit of this name; none for other texts.
+std::optional<LengthUnit> parse_unit(const std::string& text);
+
 /// Returns the bytes of a number with or without a unit, in powers of 1000 or 1024; none for other texts.
 std::optional<std::size_t> parse_bytes(const std::string& text);
 

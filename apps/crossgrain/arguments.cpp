@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command_line.hpp"
@@ -44,10 +46,25 @@ void check_model(AnyArguments& arguments, bool glue, const CLI::App* command, co
   if (arguments.model.empty()) refuse("MODEL is empty", command);
   refuse_empty(command, "--output", arguments.output, output);
   if (glue && !is_cad_file(arguments.model))
-    refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
+    refuse("--glue is for CAD files (STEP, IGES, BREP, FCStd); glue meshes where they are made", command);
   arguments.is_output_named = !arguments.output.empty();
-  if (!arguments.is_output_named)
-    arguments.output = std::filesystem::path(arguments.model).stem().string() + extension;
+  if (!arguments.is_output_named) arguments.output = stem_of_model(arguments.model) + extension;
+}
+
+/// Refuses names of files for the folder that a command writes; `holds` says where the folder has it. A
+/// folder of such a name may be there already.
+void refuse_file_name(const std::string& folder, const char* holds, const CLI::App* command) {
+  static const std::set<std::string> endings = {
+      ".brep", ".brp",  ".bdf",  ".cgns",  ".csv", ".fra", ".html", ".iges", ".igs", ".inp",
+      ".json", ".med",  ".mesh", ".meshb", ".msh", ".nas", ".obj",  ".off",  ".ovm", ".ply",
+      ".png",  ".step", ".stl",  ".stp",   ".txt", ".unv", ".vtk",  ".vtp",  ".vtu", ".xdmf"};
+  const std::string ending = std::filesystem::path(folder).extension().string();
+  std::error_code ignored;
+  if (!endings.contains(CLI::detail::to_lower(ending)) || std::filesystem::is_directory(folder, ignored))
+    return;
+  refuse("'" + folder + "' is the name of a file, and a folder is written, which holds " + holds +
+             "; name it with -o, without " + ending,
+         command);
 }
 
 // Each checks combinations of options.
@@ -58,6 +75,7 @@ void check_arguments(TetsArguments& arguments, const CLI::App* command) {
 
 void check_solve(SolveArguments& arguments, const CLI::App* command) {
   check_model(arguments, arguments.glue, command, "the folder of -o", ".frames");
+  refuse_file_name(arguments.output, "the field in field.vtu, and what --write names", command);
   refuse_empty(command, "--onto", arguments.onto, "the file of --onto");
   refuse_empty(command, "--constraints", arguments.constraints, "the file of --constraints");
   if (arguments.makes_tets && is_tet_file(arguments.model))
@@ -81,6 +99,7 @@ void check_hex(SolveArguments& arguments, const CLI::App* command) {
   if (is_tet_file(arguments.model) && command->count("--tet-size") > 0)
     refuse("MODEL is a tet mesh, which --tet-size is not for; give a surface or a CAD file", command);
   check_model(arguments, arguments.glue, command, "the folder of -o", ".hexahedra");
+  refuse_file_name(arguments.output, "the mesh in hexahedra.inp, .mesh, .msh and .vtu", command);
   arguments.makes_tets = !is_tet_file(arguments.model);
 }
 
@@ -120,10 +139,15 @@ void check_arguments(RenderArguments& arguments, const CLI::App* command) {
 }
 
 /// Returns the arguments from the last to the first, as CLI11 takes them. It knows that -1 is a number, but
-/// not that -.5 is one.
+/// not that -.5 is one; nor that json belongs to --progress, but part.step does not.
 std::vector<std::string> reversed_words(int argc, char** argv) {
   std::vector<std::string> words;
   for (int i = argc - 1; i > 0; --i) {
+    if (i > 1 && argv[i] == std::string_view("json") && argv[i - 1] == std::string_view("--progress")) {
+      words.emplace_back("--progress=json");
+      --i;
+      continue;
+    }
     std::string& word = words.emplace_back(argv[i]);
     if (word.size() > 2 && word.starts_with("-.") && word[2] >= '0' && word[2] <= '9') word.insert(1, "0");
   }

@@ -17,6 +17,10 @@
 
 namespace crossgrain::app {
 
+/// How progress is shown on standard error: as lines where it is a terminal, as lines in any case, or as
+/// JSON, a line an event.
+enum class ProgressForm { kOnTerminal, kLines, kJson };
+
 struct SolveArguments {
   std::string model;
   std::string output;            ///< folder to write; never empty
@@ -38,10 +42,11 @@ struct SolveArguments {
   std::optional<HexMeshingOptions> hexahedra;
   bool repair = false;  ///< whether to repair the matchings of the field on tets
   double read_seconds = ReadOptions().read_seconds;
-  bool tells_work = false;  ///< whether several processes tell of the work of each
   bool glue = false;
+  LengthUnit unit = LengthUnit::kUnknown;  ///< of files that name none
   bool quiet = false;
-  bool progress = false;
+  bool verbose = false;  ///< prints all numbers, those of several processes too
+  ProgressForm progress = ProgressForm::kOnTerminal;
 };
 
 /// Whether the model is solved as tets, read or made.
@@ -54,7 +59,7 @@ struct TetsArguments {
   TetMakingOptions options;
   int threads = 0;
   bool quiet = false;
-  bool progress = false;
+  ProgressForm progress = ProgressForm::kOnTerminal;
 };
 
 struct SampleArguments {

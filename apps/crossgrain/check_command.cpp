@@ -116,11 +116,19 @@ std::string comparison_with(const SolveReport::Coarser& coarser, const Singulari
   return text;
 }
 
+/// What became of hexahedra counts more than whether they fit the field.
+std::string hexahedra_line(const SolveReport& report) {
+  if (!report.hexahedra) return "";
+  const HexReport& hexahedra = *report.hexahedra;
+  return "hexahedra: " +
+         sentence_of(hexahedra, words_of(hexahedra.remedy, hexahedra.remedy_number, Command::kHex)) + "\n";
+}
+
 std::string reasons_of(const Answer& answer) {
-  std::string text = line_of(answer) + "\n";
+  std::string text = line_of(answer, Command::kOther) + "\n";
   for (std::size_t k = 1; k < answer.reasons.size(); ++k) {
     Answer one{answer.reasons[k].verdict, {answer.reasons[k]}};
-    text += "  also " + line_of(one) + "\n";
+    text += "  also " + line_of(one, Command::kOther) + "\n";
   }
   return text;
 }
@@ -161,8 +169,8 @@ void run_check(const CheckArguments& arguments) {
   Graphs graphs;
   if (report.onto) graphs.push_back(report.onto->singularity);
   graphs.push_back(report.singularity);
-  std::string text = unfinished_line(report) + reasons_of(report.answer) + numbers_of(graphs, field.size()) +
-                     remarks_on(graphs.front());
+  std::string text = unfinished_line(report) + hexahedra_line(report) + reasons_of(report.answer) +
+                     numbers_of(graphs, field.size()) + remarks_on(graphs.front());
   if (report.onto && report.onto->repair)
     text += "repaired: " + sentence_of(*report.onto->repair, report.onto->singularity) + "\n";
   if (report.coarser && !report.onto) text += comparison_with(*report.coarser, report.singularity);

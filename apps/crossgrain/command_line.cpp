@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line.hpp"
 
+#include <memory>
+
 #include "command_options.hpp"
+#include "help_formatter.hpp"
 #include "option_adders.hpp"
 #include "version_text.hpp"
 
 namespace crossgrain::app {
 namespace {
 
-constexpr const char* kFooter =
-    "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
-    "5 a stated limit is exceeded: memory, or the sweeps of a solve, which still writes\n"
-    "its field; 6 no mesh of hexahedra fills the model, the best part of one is written;\n"
-    "130 interrupted: the first Ctrl-C writes the last finished level of a\n"
-    "solve, a second one discards it.";
+// Examples of commands are their footers, and the exit codes that of the program.
 
-constexpr const char* kFooterOfProcesses =
-    "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
-    "5 a stated limit is exceeded; 130 interrupted. Other commands: crossgrain.";
+constexpr const char* kExitCodes =
+    "0 done; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a stated limit is exceeded: memory, "
+    "or "
+    "the sweeps of a solve, which still writes its field; 6 no mesh of hexahedra fills the model, the best "
+    "part of one is written; 130 interrupted: the first Ctrl-C writes the last finished level of a solve, a "
+    "second one discards it.";
+
+constexpr const char* kExitCodesOfProcesses =
+    "0 done; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a stated limit is exceeded; 130 "
+    "interrupted. Other commands: crossgrain.";
 
 constexpr const char* kVersionHelp = "Print the version and what this build can do, and exit";
 
@@ -26,7 +31,7 @@ constexpr const char* kVersionHelp = "Print the version and what this build can 
 CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgrain") {
   app.set_version_flag(
       "--version", [] { return version_text(Program::kOneProcess); }, kVersionHelp);
-  app.footer(kFooter);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(0, 1);
   solve_command = add_solve(app, solve);
   hex_command = add_hex(app, hex);
@@ -39,6 +44,8 @@ CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgra
   view_command = add_view(app, view);
   help_command = app.add_subcommand("help", "Prints the help of a command");
   help_command->add_option("COMMAND", explained, "The command (default: the program itself)");
+  add_examples(*help_command, "crossgrain help\ncrossgrain help hex");
+  app.footer(kExitCodes);  // last, since commands inherit it
 }
 
 CommandLineOfProcesses::CommandLineOfProcesses()
@@ -46,7 +53,7 @@ CommandLineOfProcesses::CommandLineOfProcesses()
           "crossgrain-mpi") {
   app.set_version_flag(
       "--version", [] { return version_text(Program::kProcesses); }, kVersionHelp);
-  app.footer(kFooterOfProcesses);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   solve_command = add_solve(app, solve);
   add_value(*solve_command, "--checkpoint", solve.checkpoint, "DIR",
@@ -56,7 +63,10 @@ CommandLineOfProcesses::CommandLineOfProcesses()
   add_value(*solve_command, "--restart", solve.restart, "DIR",
             "Go on from the folder of --checkpoint, on any number of processes; give the same model "
             "and options");
-  solve_command->add_flag("--verbose", solve.tells_work, "Print a table of the work of each process");
+  add_examples(*solve_command,
+               "mpirun -n 4 crossgrain-mpi solve part.step --resolution 512\n"
+               "mpirun -n 4 crossgrain-mpi solve part.step --checkpoint kept   # to go on after a break");
+  app.footer(kExitCodesOfProcesses);  // last, since the command inherits it
 }
 
 }  // namespace crossgrain::app

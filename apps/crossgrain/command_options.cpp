@@ -159,10 +159,16 @@ void take_points(const std::vector<std::string>& words, SampleArguments& argumen
 CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("solve", "Computes the frame field inside a surface or on a tet mesh");
+  add_examples(*command,
+               "crossgrain solve part.step                  # writes part.frames\n"
+               "crossgrain solve part.stl --resolution 64   # coarser, and quicker\n"
+               "crossgrain solve part.mesh --repair         # on tets, for hexahedra");
   SolveOptions& options = arguments.options;
-  add_argument(*command, "MODEL", arguments.model,
-               "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
-               "or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface");
+  add_argument(
+      *command, "MODEL", arguments.model,
+      "The surface, an STL, OBJ, PLY, OFF, 3MF, STEP, IGES, BREP or FCStd file; or a tet mesh (Medit "
+      ".mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface; any of them also "
+      "as .gz");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.frames here)");
   add_degree(*command, options.degree);
   CLI::Option* resolution = add_value(
@@ -185,6 +191,9 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
 
 CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
   CLI::App* command = app.add_subcommand("sample", "Prints the frames of a field at given points");
+  add_examples(*command,
+               "crossgrain sample part.frames -1 0.5 -2             # at a point\n"
+               "crossgrain sample part.frames points.txt -o f.txt   # at those of a file");
   add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
   command
       ->add_option_function<std::vector<std::string>>(
@@ -199,15 +208,18 @@ CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
 }
 
 CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("streamlines", "Traces lines along the axes of a field, as polylines for ParaView");
+  CLI::App* command = app.add_subcommand(
+      "streamlines", "Traces lines along the axes of a field, as polylines for other programs");
+  add_examples(*command,
+               "crossgrain streamlines part.frames --on z   # along the cut across z\n"
+               "crossgrain streamlines part.frames seeds.txt -o lines.vtu");
   StreamlineOptions& options = arguments.options;
   add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
   CLI::Option* seeds = add_value(
       *command, "SEEDS", arguments.seeds, "",
       "Points to trace through, one 'x y z' a line; - for standard input (default: evenly spread ones)");
   add_value(*command, "-o,--output", arguments.output, "FILE",
-            "The .vtu file to write (default: DIR/streamlines.vtu)");
+            "The .vtu, .vtp or .obj file to write (default: DIR/streamlines.vtu)");
   add_field_choice(*command, arguments.choice);
   add_parsed(
       *command, "--on", parse_places, [&arguments](const auto& places) { arguments.places = places; },
@@ -239,6 +251,9 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
   CLI::App* command = app.add_subcommand("render",
                                          "Draws a picture of a field: the part, its singular lines, "
                                          "and frames on a cut; or of hexahedra");
+  add_examples(*command,
+               "crossgrain render part.frames --cut y                   # frames on a cut\n"
+               "crossgrain render part.hexahedra --hexahedra --below 0.5   # the worst ones");
   PictureOptions& options = arguments.options;
   add_argument(*command, "DIR", arguments.field,
                "The folder that 'crossgrain solve' or 'crossgrain hex' wrote");
@@ -275,6 +290,9 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
 CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "spectrum", "Prints eigenvalues and null space of the constraint of a set of normals");
+  add_examples(*command,
+               "crossgrain spectrum --preset cylinder\n"
+               "crossgrain spectrum normals.txt --json");
   CLI::Option* preset =
       add_value(*command, "--preset", arguments.preset, "plane|cube|cylinder|sphere",
                 CLI::IsMember({"plane", "cube", "cylinder", "sphere"}), "Use the normals of this shape");
@@ -289,6 +307,9 @@ CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
 CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("check", "Says whether a hexahedral mesh can have the singular lines of a field");
+  add_examples(*command,
+               "crossgrain check part.frames\n"
+               "crossgrain check part.frames --json   # with the place of each line");
   add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
   command->add_flag("--json", arguments.json, "Print JSON");
   return command;
@@ -297,6 +318,9 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
 CLI::App* add_view(CLI::App& app, ViewArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("view", "Shows the page of a field in a browser on this machine, until Ctrl-C");
+  add_examples(*command,
+               "crossgrain view part.frames\n"
+               "crossgrain view part.frames --port 8080 --no-browser   # for another machine");
   constexpr int kMostPort = 65535;
   add_argument(*command, "DIR", arguments.folder, "The folder that 'crossgrain solve' wrote");
   add_value(*command, "--port", arguments.port, "N", CLI::Range(1, kMostPort),

@@ -38,7 +38,7 @@ void stop(Monitor& monitor) {
   monitor.stop();
   // The computation ends soon and reports which level it writes.
   if (has_field.load())
-    say("crossgrain: interrupted: the field is solved and will be written; press Ctrl-C again to discard "
+    say("crossgrain: interrupted: the result is complete and will be written; press Ctrl-C again to discard "
         "it\n");
 }
 

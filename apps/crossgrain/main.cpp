@@ -13,6 +13,7 @@
 #include "crossgrain/error.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "summary.hpp"
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -47,7 +48,7 @@ struct Subject {
 };
 
 Command command_of(const Arguments& arguments) {
-  if (std::holds_alternative<SolveArguments>(arguments)) return Command::kSolve;
+  if (const auto* solve = std::get_if<SolveArguments>(&arguments)) return command_of(*solve);
   if (std::holds_alternative<TetsArguments>(arguments)) return Command::kTets;
   return Command::kOther;
 }

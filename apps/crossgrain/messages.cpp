@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "messages.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <new>
@@ -10,65 +12,71 @@
 namespace crossgrain::app {
 namespace {
 
-enum class For { kAll, kSolve, kTets, kSolveAndTets };
+constexpr unsigned bit(Command command) {
+  return 1u << static_cast<unsigned>(command);
+}
+
+constexpr unsigned kSolve = bit(Command::kSolve) | bit(Command::kProcesses), kHex = bit(Command::kHex),
+                   kTets = bit(Command::kTets), kOther = bit(Command::kOther), kFolders = kSolve | kHex,
+                   kModels = kFolders | kTets, kAll = kModels | kOther;
 
 struct OptionWords {
   Remedy remedy;
-  const char* words;
-  For commands;
+  const char* words;  ///< with {} for the number of a remedy that has one
+  unsigned commands;  ///< bits
 };
 
-bool is_for(For commands, Command command) {
-  switch (commands) {
-    case For::kAll:
-      return true;
-    case For::kSolve:
-      return command == Command::kSolve;
-    case For::kTets:
-      return command == Command::kTets;
-    case For::kSolveAndTets:
-      return command == Command::kSolve || command == Command::kTets;
-  }
-  return false;
-}
-
+/// The first row of a remedy and a command counts.
 constexpr OptionWords kOptionWords[] = {
-    {Remedy::kRaiseResolution, "raise --resolution, or lower --cell-size", For::kSolve},
-    {Remedy::kLowerResolution, "lower --resolution, or raise --cell-size", For::kSolve},
+    {Remedy::kRaiseResolution, "raise --resolution, or lower --cell-size", kSolve},
+    {Remedy::kRaiseResolution, "take smaller tets with --tet-size", kHex},
+    {Remedy::kLowerResolution, "lower --resolution, or raise --cell-size", kSolve},
+    {Remedy::kLowerResolution, "take larger tets with --tet-size", kHex},
     {Remedy::kUseLessMemory, "lower --resolution, raise --cell-size or allow more memory with --max-memory",
-     For::kSolve},
-    {Remedy::kAllowMemory, "allow more memory with --max-memory", For::kSolveAndTets},
-    {Remedy::kSimplifyOrAllowMemory, "simplify it, or allow more memory with --max-memory",
-     For::kSolveAndTets},
+     kSolve},
+    {Remedy::kUseLessMemory, "take larger tets with --tet-size, or allow more memory with --max-memory",
+     kHex},
+    {Remedy::kAllowMemory, "allow more memory with --max-memory", kModels},
+    {Remedy::kSimplifyOrAllowMemory, "simplify it, or allow more memory with --max-memory", kModels},
     {Remedy::kAllowReadTime, "repair it and export it again, or allow more time with --read-seconds",
-     For::kSolveAndTets},
-    {Remedy::kContinueSolve, "a solve with --from goes on from here", For::kSolve},
-    {Remedy::kSolveAnew, "solve without --restart", For::kSolve},
-    {Remedy::kGiveCheckpoint, "name the folder of --checkpoint", For::kSolve},
+     kModels},
+    {Remedy::kReadUnglued, "repair them, or leave out --glue", kModels},
+    {Remedy::kContinueSolve, "a solve with --from goes on from here", kSolve},
+    {Remedy::kSolveAnew, "solve without --restart", bit(Command::kProcesses)},
+    {Remedy::kGiveCheckpoint, "name the folder of --checkpoint", bit(Command::kProcesses)},
     {Remedy::kMoveCheckpoint,
-     "free some space, or choose another disk with --checkpoint; what it held is kept", For::kSolve},
-    {Remedy::kKeepTags, "--keep-tags follows them all the same", For::kSolve},
-    {Remedy::kTurnView, "choose another --view or --cut", For::kAll},
-    {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' has written", For::kAll},
-    {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", For::kAll},
-    {Remedy::kMakeHexahedra, "make them with 'crossgrain hex'", For::kAll},
-    {Remedy::kNameOutput, "name one with -o", For::kAll},
-    {Remedy::kChooseWritablePlace, "choose a place you may write to with -o", For::kAll},
-    {Remedy::kFreeSpace, "free some space, or choose another disk with -o", For::kAll},
-    {Remedy::kMakeFolder, "make that folder, or choose another with -o", For::kAll},
-    {Remedy::kCheckOutputDisk, "check the disk, or choose another place with -o", For::kAll},
-    {Remedy::kChooseFolder, "choose another folder with -o, or write there with --force", For::kSolve},
-    {Remedy::kAwaitSolve, "wait for its end, or choose another folder with -o", For::kSolve},
-    {Remedy::kClearPlace, "remove it, or choose another place with -o", For::kAll},
-    {Remedy::kTakeLargerTets, "take larger tets with --size or --edges", For::kTets},
-    {Remedy::kTakeLargerTets, "take larger tets with --tet-size", For::kSolve},
+     "free some space, or choose another disk with --checkpoint; what it held is kept",
+     bit(Command::kProcesses)},
+    {Remedy::kKeepTags, "--keep-tags follows them all the same", kFolders},
+    {Remedy::kTurnView, "choose another --view or --cut", kOther},
+    {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' has written", kAll},
+    {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", kAll},
+    {Remedy::kMakeHexahedra, "make them with 'crossgrain hex'", kAll},
+    {Remedy::kNameOutput, "name one with -o", kAll},
+    {Remedy::kChooseWritablePlace, "choose a place you may write to with -o", kAll},
+    {Remedy::kFreeSpace, "free some space, or choose another disk with -o", kAll},
+    {Remedy::kMakeFolder, "make that folder, or choose another with -o", kAll},
+    {Remedy::kCheckOutputDisk, "check the disk, or choose another place with -o", kAll},
+    {Remedy::kChooseFolder, "choose another folder with -o, or write there with --force", kFolders},
+    {Remedy::kAwaitSolve, "wait for its end, or choose another folder with -o", kFolders},
+    {Remedy::kClearPlace, "remove it, or choose another place with -o", kAll},
+    {Remedy::kTakeLargerTets, "take larger tets with --size or --edges", kTets},
+    {Remedy::kTakeLargerTets, "take larger tets with --tet-size", kFolders},
+    {Remedy::kGiveTetSize, "set --size", kTets},
+    {Remedy::kGiveTetSize, "set --tet-size", kFolders},
+    {Remedy::kGiveCellSize, "set --cell-size", kSolve},
+    {Remedy::kGiveHexSize, "set --size", kHex},
+    {Remedy::kTakeLargerHexahedra, "raise --size, or lower --cells", kHex},
+    {Remedy::kTakeSmallerHexahedra, "lower --size, or raise --cells", kHex},
     {Remedy::kAllowTetTime, "take larger tets with --size or --edges, or allow more time with --seconds",
-     For::kTets},
+     kTets},
     {Remedy::kAllowTetTime,
-     "take larger tets with --tet-size, or allow more time with 'crossgrain tets --seconds'", For::kSolve},
-    {Remedy::kChangeTetSize, "take another --size, or the other program with --by", For::kTets},
-    {Remedy::kTakeSmallerHexahedra, "take smaller hexahedra with --size or --cells", For::kSolve},
-    {Remedy::kChangeTetSize, "take another size with --tet-size", For::kSolve},
+     "take larger tets with --tet-size, or allow more time with 'crossgrain tets --seconds'", kFolders},
+    {Remedy::kChangeTetSize, "take another --size, or the other program with --by", kTets},
+    {Remedy::kChangeTetSize, "take another size with --tet-size", kFolders},
+    {Remedy::kUseEdgeLength, "try --tet-size {}", kHex},
+    {Remedy::kUseResolution, "use --resolution {}", kSolve},
+    {Remedy::kUseResolution, "solve with --resolution {}", kOther},
 };
 
 /// Returns whether the system starts no more threads, for which oneTBB has no exception of its own.
@@ -99,11 +107,17 @@ int exit_code_of(ErrorKind kind) {
   return 1;
 }
 
-std::string line_of(const Message& message, Command command) {
+std::string words_of(Remedy remedy, double number, Command command) {
   const auto found = std::find_if(
       std::begin(kOptionWords), std::end(kOptionWords),
-      [&](const OptionWords& row) { return row.remedy == message.remedy && is_for(row.commands, command); });
-  return sentence_of(message, found == std::end(kOptionWords) ? words_of(message.remedy) : found->words);
+      [&](const OptionWords& row) { return row.remedy == remedy && (row.commands & bit(command)) != 0; });
+  if (found == std::end(kOptionWords)) return words_of(remedy, number);
+  if (!has_number(remedy)) return found->words;
+  return fmt::format(fmt::runtime(found->words), fmt::format("{:.6g}", number));
+}
+
+std::string line_of(const Message& message, Command command) {
+  return sentence_of(message, words_of(message.remedy, 0, command));
 }
 
 Failure failure_of(const std::exception_ptr& exception, const std::string& subject, Command command) {
@@ -114,9 +128,9 @@ Failure failure_of(const std::exception_ptr& exception, const std::string& subje
   } catch (const Error& error) {
     return {exit_code_of(error.kind()), line_of(error.message(), command)};
   } catch (const std::bad_alloc&) {
-    const Remedy remedy = command == Command::kSolve  ? Remedy::kUseLessMemory
-                          : command == Command::kTets ? Remedy::kTakeLargerTets
-                                                      : Remedy::kFreeMemory;
+    const Remedy remedy = (kFolders & bit(command)) != 0 ? Remedy::kUseLessMemory
+                          : command == Command::kTets    ? Remedy::kTakeLargerTets
+                                                         : Remedy::kFreeMemory;
     return {exit_code_of(ErrorKind::kLimit), begin + line_of({"", "", "out of memory", remedy}, command)};
   } catch (const std::exception& error) {
     if (!has_no_threads_left())

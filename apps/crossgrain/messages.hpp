@@ -12,8 +12,8 @@ namespace crossgrain::app {
 /// Exit code of an error (docs/command-line.md).
 int exit_code_of(ErrorKind kind);
 
-/// `solve` and `tets` have options for sizes, memory and time that other commands lack.
-enum class Command { kSolve, kTets, kOther };
+/// Commands whose options differ; kProcesses is the solve of crossgrain-mpi.
+enum class Command { kSolve, kProcesses, kHex, kTets, kOther };
 
 /// Runs `compute`. Errors about the mesh, which name no file, get the name of the mesh's file.
 template <class Compute>
@@ -26,6 +26,10 @@ auto naming(const std::string& file, const Compute& compute) {
     throw error.with_file(file);
   }
 }
+
+/// Returns a remedy in words, with the options of a command if it has any for that; `number` as for
+/// `words_of` without a command.
+std::string words_of(Remedy remedy, double number, Command command);
 
 /// Returns the line for a message, with the command's options in its remedy.
 std::string line_of(const Message& message, Command command);

@@ -7,8 +7,14 @@
 #include <string>
 
 #include "argument_values.hpp"
+#include "arguments.hpp"
 
 namespace crossgrain::app {
+
+/// Adds lines to type, with a remark behind "#" each: `describe_command` takes the footer for these.
+inline void add_examples(CLI::App& command, const char* lines) {
+  command.footer(lines);
+}
 
 /// Adds an argument by its place that must be given.
 template <class T>
@@ -58,14 +64,37 @@ inline void add_glue(CLI::App& command, bool& glue) {
   command.add_flag("--glue", glue, "Make the solids of a CAD file share the faces where they touch");
 }
 
+inline void add_unit(CLI::App& command, LengthUnit& unit) {
+  add_parsed(
+      command, "--unit", parse_unit, [&unit](LengthUnit its_unit) { unit = its_unit; },
+      "is not one of um, mm, cm, m, inch, foot",
+      "Unit of a MODEL whose file names none, and so of all lengths and written files: a label, no number "
+      "changes (STEP and IGES files are converted to mm)")
+      ->type_name("um|mm|cm|m|inch|foot");
+}
+
 inline void add_read_seconds(CLI::App& command, double& seconds) {
   add_value(command, "--read-seconds", seconds, "SECONDS", fault_of_length,
             "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)");
 }
 
-inline void add_quiet(CLI::App& command, bool& quiet, bool& progress) {
+inline void add_quiet(CLI::App& command, bool& quiet, ProgressForm& progress) {
   command.add_flag("--quiet", quiet, "Print no summary and no progress");
-  command.add_flag("--progress", progress, "Show progress on standard error even if it is not a terminal");
+  // Of a flag without a value CLI11 says "true". `reversed_words` joins the word json to it.
+  command
+      .add_option_function<std::string>(
+          "--progress",
+          [&progress](const std::string& form) {
+            progress = form == "json" ? ProgressForm::kJson : ProgressForm::kLines;
+          },
+          "Show progress on standard error even if it is not a terminal; with the word json after it, as "
+          "lines of JSON for other programs")
+      ->expected(0)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->type_name("")
+      ->check([](const std::string& form) {
+        return form == "json" || form == "true" ? std::string() : "'" + form + "' is not json";
+      });
 }
 
 }  // namespace crossgrain::app

@@ -35,6 +35,10 @@ void print_result(const std::string& result) {
                                                std::generic_category().message(errno))});
 }
 
+std::string row(const char* what, const std::string& text) {
+  return fmt::format("{:<10} {}\n", what, text);
+}
+
 void print_message(const std::string& message) {
   const std::string line = printable("crossgrain: " + message, false) + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);

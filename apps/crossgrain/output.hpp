@@ -8,6 +8,9 @@ namespace crossgrain::app {
 /// Writes to standard output. Throws Error(kOutput) if it cannot write everything.
 void print_result(const std::string& text);
 
+/// Returns a line of a summary: what it tells, in the width of the first column, and the text.
+std::string row(const char* what, const std::string& text);
+
 /// Writes `crossgrain: message` to standard error, always as one line.
 void print_message(const std::string& message);
 

@@ -2,7 +2,6 @@
 #include "progress_lines.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -11,6 +10,8 @@
 #include <string_view>
 
 #include "crossgrain/message.hpp"
+#include "progress_json.hpp"
+#include "terminal_width.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -21,9 +22,6 @@ constexpr std::chrono::milliseconds kRewritingInterval{100};
 /// Interval without reports, so that the seconds keep counting.
 constexpr std::chrono::milliseconds kMovingInterval{500};
 
-/// Width of terminals that do not report it.
-constexpr std::size_t kUsualWidth = 80;
-
 bool can_move_lines() {
   const char* const terminal = std::getenv("TERM");
   return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
@@ -32,9 +30,7 @@ bool can_move_lines() {
 /// Queried for every line, since windows change. One less than the width, because some terminals start a new
 /// line after the last column.
 std::size_t room_on_line() {
-  winsize size{};
-  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return (is_known ? size.ws_col : kUsualWidth) - 1;
+  return terminal_width(STDERR_FILENO) - 1;
 }
 
 std::string level_text(const Progress& progress, double seconds) {
@@ -47,8 +43,7 @@ std::string level_text(const Progress& progress, double seconds) {
 
 std::string phase_text(const Progress& progress) {
   if (progress.cells == 0) return name_of(progress.phase);
-  const bool is_tets = progress.phase == Phase::kTets || progress.phase == Phase::kRepair ||
-                       progress.phase == Phase::kHexahedra;
+  const bool is_tets = progress.phase == Phase::kTets || progress.phase == Phase::kRepair;
   std::string text =
       fmt::format("{}: {} {}", name_of(progress.phase), progress.cells, is_tets ? "vertices" : "cells");
   if (progress.sweep > 0) text += fmt::format(", sweep {}", progress.sweep);
@@ -56,14 +51,50 @@ std::string phase_text(const Progress& progress) {
   return text;
 }
 
-/// Of a search for hexahedra: which attempt it is at, and what it has.
-std::string attempt_text(const Progress& progress) {
-  if (progress.attempt == 0) return "";
-  std::string text = fmt::format("attempt {}", progress.attempt);
+/// What an attempt at hexahedra is at, in words for its user: all of the solve is one stage.
+const char* stage_of(Phase phase) {
+  switch (phase) {
+    case Phase::kRead:
+    case Phase::kMakeTets:
+      return "making tets";
+    case Phase::kGrid:
+    case Phase::kSolve:
+    case Phase::kAnalysis:
+    case Phase::kTets:
+      return "solving the field";
+    case Phase::kRepair:
+      return "repairing";
+    case Phase::kMap:
+      return "mapping";
+    case Phase::kHexahedra:
+      return "making hexahedra";
+    case Phase::kSmooth:
+      return "smoothing";
+    case Phase::kWrite:
+      return "writing";
+  }
+  return "";
+}
+
+bool is_of_attempt(const Progress& progress) {
+  return progress.attempt > 0;
+}
+
+/// How far a stage is; empty if that is not known.
+std::string share_text(const Progress& progress) {
+  if (progress.level > 0) return fmt::format(", level {} of {}", progress.level, progress.levels);
+  if (progress.share > 0) return fmt::format(", {:.0f} % done", 100 * progress.share);
+  return "";
+}
+
+std::string attempt_text(const Progress& progress, bool done, double seconds) {
+  std::string text =
+      fmt::format("attempt {} of {}: {}", progress.attempt, progress.attempts, stage_of(progress.phase));
+  if (!done) text += share_text(progress);
   if (progress.hexahedra > 0)
-    text += fmt::format(", best so far {}{}", counted(progress.hexahedra, "hexahedron", "hexahedra"),
+    text += fmt::format("; best so far {}{}", counted(progress.hexahedra, "hexahedron", "hexahedra"),
                         progress.is_whole ? "" : ", a part");
-  return text + "; ";
+  return text + fmt::format("; {:.1f} s", seconds);
 }
 
 /// Grid and frames of a level share one line.
@@ -72,8 +103,10 @@ bool is_of_level(const Progress& progress) {
 }
 
 bool same_line(const Progress& a, const Progress& b) {
+  if (is_of_attempt(a) || is_of_attempt(b))
+    return a.attempt == b.attempt && stage_of(a.phase) == std::string_view(stage_of(b.phase));
   if (is_of_level(a) || is_of_level(b)) return is_of_level(a) && is_of_level(b) && a.level == b.level;
-  return a.phase == b.phase && a.attempt == b.attempt;
+  return a.phase == b.phase;
 }
 
 void write(const std::string& text) {
@@ -92,7 +125,11 @@ std::string cells_text(std::size_t cells) {
   return fmt::format("{:.3g} million cells", static_cast<double>(cells) / kMillion);
 }
 
-ProgressLines::ProgressLines(bool shown) : shown_(shown), moving_(shown && can_move_lines()) {
+ProgressLines::ProgressLines(ProgressForm form, bool quiet)
+    : quiet_(quiet),
+      as_json_(!quiet && form == ProgressForm::kJson),
+      shown_(!quiet && !as_json_ && (form == ProgressForm::kLines || isatty(STDERR_FILENO) != 0)),
+      moving_(shown_ && can_move_lines()) {
   if (moving_) mover_ = std::thread([this] { keep_moving(); });
 }
 
@@ -108,9 +145,15 @@ ProgressLines::~ProgressLines() {
 }
 
 void ProgressLines::show(const Progress& progress) {
-  if (!shown_) return;
+  if (!shown_ && !as_json_) return;
   const std::lock_guard lock(mutex_);
   const bool continues = current_ && same_line(*current_, progress);
+  if (as_json_) {
+    if (continues && Clock::now() - rewritten_ < kRewritingInterval) return;
+    rewritten_ = Clock::now();
+    current_ = progress;
+    return tell_as_json(progress);
+  }
   if (!continues) {
     end(/*done=*/true);
     begun_ = Clock::now();
@@ -119,9 +162,29 @@ void ProgressLines::show(const Progress& progress) {
   if (moving_ && (!continues || Clock::now() - rewritten_ >= kRewritingInterval)) rewrite();
 }
 
-void ProgressLines::expect(double total_seconds) {
+template <class Event>
+void ProgressLines::tell_as_json(const Event& event) {
+  write(json_line(event, seconds_of(Clock::now() - start_)));
+}
+
+void ProgressLines::expect(const Expectation& expected) {
   const std::lock_guard lock(mutex_);
-  remaining_.expect(total_seconds);
+  remaining_.expect(expected.seconds);
+  if (as_json_) tell_as_json(expected);
+}
+
+void ProgressLines::expect(const HexExpectation& expected) {
+  const std::lock_guard lock(mutex_);
+  if (as_json_) tell_as_json(expected);
+}
+
+void ProgressLines::end_attempt(const HexAttemptEnd& ended) {
+  if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  if (as_json_) return tell_as_json(ended);
+  end(/*done=*/true);
+  if (ended.next.empty()) return;
+  write(fmt::format("attempt {}: {}; trying {}\n", ended.attempt, ended.text, ended.next));
 }
 
 void ProgressLines::leave_line() {
@@ -137,8 +200,12 @@ void ProgressLines::end_line() {
 std::string ProgressLines::text(bool done) const {
   const auto now = Clock::now();
   const double of_line = seconds_of(now - begun_);
-  std::string text = attempt_text(*current_) +
-                     (is_of_level(*current_) ? level_text(*current_, of_line) : phase_text(*current_));
+  if (is_of_attempt(*current_)) {
+    // Of what goes on the time so far in all, of what is finished its own.
+    const std::string text = attempt_text(*current_, done, done ? of_line : seconds_of(now - start_));
+    return moving_ ? text.substr(0, room_on_line()) : text;
+  }
+  std::string text = is_of_level(*current_) ? level_text(*current_, of_line) : phase_text(*current_);
   if (!done) {
     if (const auto left = remaining_.seconds(*current_, seconds_of(now - start_), of_line))
       text += fmt::format(", about {} left", duration_text(*left));
@@ -152,7 +219,7 @@ void ProgressLines::rewrite() {
 }
 
 void ProgressLines::end(bool done) {
-  if (!current_) return;
+  if (!current_ || as_json_) return;
   if (moving_)
     write(fmt::format("\r{}\x1b[K\n", text(/*done=*/true)));
   else if (done)

@@ -9,6 +9,8 @@
 #include <string>
 #include <thread>
 
+#include "arguments.hpp"
+#include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/monitor.hpp"
 #include "remaining_time.hpp"
 
@@ -17,12 +19,15 @@ namespace crossgrain::app {
 /// Returns "107184 cells" or, from a million on, "1.07 million cells".
 std::string cells_text(std::size_t cells);
 
-/// Shows progress on standard error: one line per level of the solve, and one per other phase. On a terminal
-/// the current line is rewritten in place, even without reports, and fits the current width of the terminal.
-/// Elsewhere, and on a dumb terminal, a line appears in plain characters once its level or phase is finished.
+/// Shows progress on standard error: one line per level of the solve, and one per other phase; of a search
+/// for hexahedra one per stage of an attempt, and one for its end. On a terminal the current line is
+/// rewritten in place, even without reports, and fits the current width of the terminal. Elsewhere, and on a
+/// dumb terminal, a line appears in plain characters once its level, phase or stage is finished. As JSON,
+/// events are told when they come, those of one stage at most ten times a second.
 class ProgressLines {
  public:
-  explicit ProgressLines(bool shown);
+  /// With --quiet nothing is shown, whatever the form.
+  ProgressLines(ProgressForm form, bool quiet);
   /// Ends the current line.
   ~ProgressLines();
   ProgressLines(const ProgressLines&) = delete;
@@ -33,8 +38,13 @@ class ProgressLines {
 
   void show(const Progress& progress);
 
-  /// Sets the forecast for the remaining time. `total_seconds` count from the construction of this object.
-  void expect(double total_seconds);
+  /// Sets the forecast for the remaining time, whose seconds count from the construction of this object. As
+  /// JSON, tells it.
+  void expect(const Expectation& expected);
+  void expect(const HexExpectation& expected);
+
+  /// Tells the end of an attempt at hexahedra, unless it is the end of the search, which the summary tells.
+  void end_attempt(const HexAttemptEnd& end);
 
   /// Leaves the current line as it is, so that other text can be printed. If lines are not rewritten in
   /// place, nothing of it appears, since it is not finished.
@@ -46,14 +56,17 @@ class ProgressLines {
  private:
   using Clock = std::chrono::steady_clock;
 
+  template <class Event>
+  void tell_as_json(const Event& event);
   std::string text(bool done) const;
   void rewrite();
   void end(bool done);
   void keep_moving();
 
   const Clock::time_point start_ = Clock::now();
-  bool shown_;
-  bool moving_;
+  const bool quiet_, as_json_;
+  const bool shown_;  ///< as lines
+  const bool moving_;
   std::mutex mutex_;  ///< protects all members below
   std::optional<Progress> current_;
   Clock::time_point begun_{}, rewritten_{};

@@ -55,13 +55,18 @@ Subject read_subject(const RenderArguments& arguments) {
   if (arguments.choice == FieldChoice::kTets && !has_tets)
     throw Error(ErrorKind::kInput, {arguments.field, "", "has no field on tets"});
   const bool draws_tets = has_tets && arguments.choice != FieldChoice::kGrid;
+  const auto read = [&]() -> std::variant<FrameField, TetFrameField> {
+    if (!draws_tets) return read_field(folder);
+    std::optional<TetFrameField> field = read_tet_field(folder);
+    if (!field) throw Error(ErrorKind::kInput, {arguments.field, "", "lacks its tets", Remedy::kSolveAgain});
+    return *std::move(field);
+  };
+  // The field first: if there is none, it is the folder that is wrong.
+  std::variant<FrameField, TetFrameField> field = read();
   SingularityGraph lines = read_singularities(folder / (draws_tets ? kTetSingularityFile : kSingularityFile));
   std::vector<AxisCurve> streamlines;
   if (arguments.streamlines) streamlines = streamlines_in(folder);
-  if (!draws_tets) return {read_field(folder), std::move(lines), std::move(streamlines)};
-  std::optional<TetFrameField> field = read_tet_field(folder);
-  if (!field) throw Error(ErrorKind::kInput, {arguments.field, "", "lacks its tets", Remedy::kSolveAgain});
-  return {std::move(*field), std::move(lines), std::move(streamlines)};
+  return {std::move(field), std::move(lines), std::move(streamlines)};
 }
 
 /// A mesh of hexahedra with what the report of its folder says of it.

@@ -33,7 +33,9 @@ void check_files(const SampleArguments& arguments) {
 }  // namespace
 
 void run_sample(const SampleArguments& arguments) {
+  const SampleFiles files{arguments.output, arguments.outside};
   check_files(arguments);
+  check_sample_names(files);
   const FrameField field = read_field(arguments.field);
   const std::vector<Vector3> points =
       arguments.points_file.empty() ? arguments.points : read_points(arguments.points_file);
@@ -41,7 +43,7 @@ void run_sample(const SampleArguments& arguments) {
   // Not earlier: the first Ctrl-C must end waiting for standard input.
   Monitor monitor;
   const Interruption interruption(monitor);
-  const std::size_t outside = write_samples(field, points, {arguments.output, arguments.outside}, monitor);
+  const std::size_t outside = write_samples(field, points, files, monitor);
   print_message(fmt::format("{} of {} {} outside the field{}", outside, counted(points.size(), "point"),
                             is_or_are(outside),
                             outside == 0   ? ""

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,12 +9,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/message.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/reading.hpp"
@@ -46,23 +47,39 @@ struct Job {
   SolveOnGrid on_grid;
   const Monitor& monitor;
   std::function<void(const Warning&)> warn = [](const Warning&) {};  ///< of reading, before the solve
-  std::function<void()> leave_line = [] {};                          ///< before a line is printed
+  /// Prints what was read, under a name.
+  std::function<void(const char* what, const ModelSummary&)> tell = [](const char*, const ModelSummary&) {};
+  ProgressLines* lines = nullptr;
   Clock::time_point start = Clock::now();
+
+  /// Before a line is printed.
+  void leave_line() const {
+    if (lines != nullptr) lines->leave_line();
+  }
 };
 
 /// No mesh of hexahedra fills the model.
 constexpr int kNotAllHex = 6;
 
 int exit_code_after(const SolveReport& report) {
-  if (report.unfinished) return exit_code_of(ErrorKind::kInterrupted);
+  const bool is_stopped = report.hexahedra && report.hexahedra->is_stopped;
+  if (report.unfinished || is_stopped) return exit_code_of(ErrorKind::kInterrupted);
   if (report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex) return kNotAllHex;
   const auto& warnings = report.warnings;
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
-void print_warning(Warning warning, const std::string& model) {
-  if (warning.file.empty()) warning.file = model;
-  print_message("warning: " + line_of(warning, Command::kSolve));
+void print_warning(Warning warning, const SolveArguments& arguments) {
+  if (warning.file.empty()) warning.file = arguments.model;
+  print_message("warning: " + line_of(warning, arguments));
+}
+
+TetMesh tets_of_file(const std::string& file, const Job& job) {
+  TetMesh mesh = read_tets(file);
+  if (job.arguments.unit != LengthUnit::kUnknown) mesh.unit = name_of(job.arguments.unit);
+  // With --onto the model is the surface.
+  job.tell(job.arguments.onto.empty() ? "model" : "onto", summary_of(mesh));
+  return mesh;
 }
 
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
@@ -72,6 +89,7 @@ TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
   options.max_memory_bytes = arguments.options.max_memory_bytes;
   options.read_seconds = arguments.read_seconds;
   options.glue = arguments.glue;
+  options.unit = arguments.unit;
   return make_tets(std::filesystem::path(arguments.model), options, monitor);
 }
 
@@ -80,7 +98,7 @@ std::optional<TetDomain> read_domain(const Job& job) {
   const SolveArguments& arguments = job.arguments;
   const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
   if (!solves_tets(arguments) && arguments.onto.empty()) return std::nullopt;
-  TetMesh mesh = arguments.makes_tets ? made_tets(arguments, job.monitor) : read_tets(file);
+  TetMesh mesh = arguments.makes_tets ? made_tets(arguments, job.monitor) : tets_of_file(file, job);
   for (const Warning& warning : mesh.warnings) job.warn(warning);
   return naming(file, [&] {
     const TetDomain domain(std::move(mesh), arguments.tags);
@@ -146,11 +164,33 @@ std::string expected_line(const Expectation& expected) {
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
+/// Returns the size of tets, with the rule if that was not followed.
+std::string text_of(const HexExpectation::TetSize& size) {
+  if (size.used == 0) return "";
+  const std::string text = fmt::format(" of {:.3g} (--tet-size)", size.used);
+  if (size.dropped == 0) return text;
+  return text + fmt::format(", since {:.3g} makes {}", size.dropped, size.dropped_tets);
+}
+
 std::string expected_line(const HexExpectation& expected) {
   const auto hexahedra = static_cast<std::size_t>(std::llround(std::max(1.0, expected.hexahedra)));
-  return fmt::format("expected   about {} of {:.3g}, along a field on {}\n",
+  return fmt::format("expected   about {} of {:.3g}, along a field on {}{}\n",
                      counted(hexahedra, "hexahedron", "hexahedra"), expected.size,
-                     counted(expected.tets, "tet"));
+                     counted(expected.tets, "tet"), text_of(expected.tet_size));
+}
+
+/// Rows about corners and knife edges of the model that leave room for no hexahedra, as its field is.
+std::string obstacle_lines(const Answer& answer) {
+  std::string lines;
+  for (const Answer::Reason& reason : answer.reasons) {
+    const bool is_of_surface = reason.kind == ReasonKind::kKnifeEdge || reason.kind == ReasonKind::kCorner;
+    if (!is_of_surface || reason.verdict != Verdict::kNotMeshable) continue;
+    const auto& [x, y, z] = reason.place;
+    lines += fmt::format("obstacle   {} at {:.4g} {:.4g} {:.4g}", reason.text, x, y, z);
+    if (reason.count > 1) lines += fmt::format(" and at {}", counted(reason.count - 1, "other place"));
+    lines += "; a repair of the field may change that\n";
+  }
+  return lines;
 }
 
 /// Throws if the initial field was clipped, because cells outside it would have poor initial frames.
@@ -165,6 +205,7 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
   ReadOptions result = read_options_for(options);
   result.read_seconds = arguments.read_seconds;
   result.glue = arguments.glue;
+  result.unit = arguments.unit;
   return result;
 }
 
@@ -212,6 +253,27 @@ struct Solved {
   std::shared_ptr<const Hexahedra> made;
 };
 
+/// The best mesh that there was at a stop, as the message about it says.
+std::string best_text(const HexReport& report) {
+  return fmt::format("the best mesh so far, {}{}", counted(report.hexahedra, "hexahedron", "hexahedra"),
+                     is_partial(report.outcome) ? ", a part of the model" : "");
+}
+
+std::shared_ptr<const Hexahedra> made_hexahedra(const Job& job, const HexMeshingOptions& options) {
+  try {
+    auto made = std::make_shared<const Hexahedra>(
+        make_hexahedra(std::filesystem::path(job.arguments.model), options, job.monitor));
+    if (made->report().is_stopped) {
+      job.leave_line();
+      announce_stop(best_text(made->report()));
+    }
+    return made;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInterrupted || job.monitor.cancelled()) throw;
+    throw Error(ErrorKind::kInterrupted, "interrupted before there was a mesh; nothing is written");
+  }
+}
+
 /// Makes hexahedra of the model.
 Solved meshed(const Job& job) {
   const SolveArguments& arguments = job.arguments;
@@ -223,21 +285,31 @@ Solved meshed(const Job& job) {
   options.tets.max_memory_bytes = options.solve.max_memory_bytes;
   options.tets.read_seconds = arguments.read_seconds;
   options.tets.glue = arguments.glue;
+  options.tets.unit = arguments.unit;
   options.on_warning = job.warn;
   options.on_expected = [&](const HexExpectation& expected) {
     if (arguments.quiet) return;
+    if (job.lines != nullptr) job.lines->expect(expected);
     job.leave_line();
     print_result(expected_line(expected));
   };
-  const auto made = std::make_shared<const Hexahedra>(
-      make_hexahedra(std::filesystem::path(arguments.model), options, job.monitor));
+  options.on_answer = [&](const Answer& answer) {
+    const std::string lines = obstacle_lines(answer);
+    if (arguments.quiet || lines.empty()) return;
+    job.leave_line();
+    print_result(lines);
+  };
+  options.on_attempt_end = [&](const HexAttemptEnd& end) {
+    if (job.lines != nullptr) job.lines->end_attempt(end);
+  };
+  const auto made = made_hexahedra(job, options);
   const FrameField& grid = made->field.grid();
   return {made->field.report().seconds.read, true, {grid, grid}, made->field, made};
 }
 
 /// Solves, and transfers the field to the tets if there are any, unless a stop comes before that is complete.
 Solved solve_inputs(const Job& job, const Inputs& inputs) {
-  const auto& [arguments, on_grid, monitor, warn, leave_line, begun] = job;
+  const auto& [arguments, on_grid, monitor, warn, tell, lines, begun] = job;
   const auto& [options, domain, mesh] = inputs;
   Solved result;
   result.has_tets = domain.has_value();
@@ -269,7 +341,7 @@ Solved solve_inputs(const Job& job, const Inputs& inputs) {
     const bool has_grid = result.to_write.cells.has_value();
     if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled() || !has_grid) throw;
     if (is_stopped) return result;
-    leave_line();
+    job.leave_line();
     announce_stop(fmt::format("the field on the grid, {}, and none on the tets",
                               cells_text(result.to_write.cells->size())));
   }
@@ -347,16 +419,17 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   const auto reservation = reserve_output_folder(arguments);
   SolveReport report;
   {
-    ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
+    ProgressLines lines(arguments.progress, arguments.quiet);
     const auto expect = [&](Expectation expected) {
       expected.seconds += seconds_since(start) - expected.after_seconds;
-      lines.expect(expected.seconds);
+      lines.expect(expected);
       if (arguments.quiet) return;
       lines.end_line();
       print_result(expected_line(expected));
     };
-    const auto show = [&lines](const Progress& progress) {
-      const bool is_analysis = progress.phase == Phase::kAnalysis;
+    const auto show = [&](const Progress& progress) {
+      // The solves of a search for hexahedra are no results.
+      const bool is_analysis = progress.phase == Phase::kAnalysis && !arguments.hexahedra;
       if (is_analysis || progress.phase == Phase::kWrite) Interruption::set_has_field(true);
       const bool is_stopped_level = is_analysis && progress.level < progress.levels;
       if (is_stopped_level) {
@@ -366,21 +439,30 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
       }
       lines.show(progress);
     };
-    Monitor monitor(show, expect);
-    // A field without hexahedra is no part of a mesh.
-    if (!together && !arguments.hexahedra) monitor.allow_stops();
+    const auto tell = [&](const char* what, const ModelSummary& model) {
+      if (arguments.quiet) return;
+      lines.leave_line();
+      print_result(row(what, sentence_of(model)));
+    };
+    bool has_model = false;
+    Monitor monitor(show, expect, [&](const ModelSummary& model) {
+      if (!std::exchange(has_model, true)) tell("model", model);
+    });
+    if (!together) monitor.allow_stops();
     const Interruption interruption(monitor, lines.is_moving());
     const auto warn = [&](const Warning& warning) {
       lines.end_line();
-      print_warning(warning, arguments.model);
+      print_warning(warning, arguments);
     };
-    const auto leave_line = [&lines] { lines.leave_line(); };
     const SolveOnGrid on_grid = together ? together : solve_alone;
-    report = solve_and_write({arguments, on_grid, monitor, warn, leave_line, start}, reservation);
+    report = solve_and_write({arguments, on_grid, monitor, warn, tell, &lines, start}, reservation);
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)
-    if (is_always_printed(warning)) print_warning(warning, arguments.model);
+    if (is_always_printed(warning)) print_warning(warning, arguments);
+  const bool is_short = report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex;
+  if (arguments.quiet && is_short)
+    print_message(arguments.model + ": " + line_of(*report.hexahedra, arguments));
   if (!arguments.quiet) print_result(summary_of(report, arguments));
   return exit_code_after(report);
 }

@@ -34,6 +34,7 @@ void add_run_options(CLI::App& command, SolveArguments& arguments) {
   command.add_flag("--union", options.unite_solids,
                    "Treat several solids as one: ignore the faces between them");
   add_glue(command, arguments.glue);
+  add_unit(command, arguments.unit);
   add_read_seconds(command, arguments.read_seconds);
 }
 
@@ -63,6 +64,8 @@ void add_formats(CLI::App& command, OutputOptions& options, bool has_map) {
 
 void add_talk(CLI::App& command, SolveArguments& arguments) {
   add_quiet(command, arguments.quiet, arguments.progress);
+  command.add_flag("--verbose", arguments.verbose,
+                   "Print all numbers of the result: tets, cells, repair, map; report.json always has them");
   command.add_flag("!--no-report", arguments.page,
                    "Write no report.html, the page that shows the field; report.json is always written");
 }

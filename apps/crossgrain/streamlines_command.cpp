@@ -128,9 +128,12 @@ std::vector<StreamlineSeed> seeds_of(const StreamlinesArguments& arguments, cons
 
 void run_streamlines(const StreamlinesArguments& arguments) {
   check_files(arguments);
+  if (arguments.is_output_named) check_streamline_file(arguments.output);
   const AnyField field = read_any_field(arguments);
-  if (!arguments.is_output_named) check_output_file(arguments.output);
-  check_streamline_file(arguments.output);
+  if (!arguments.is_output_named) {
+    check_output_file(arguments.output);
+    check_streamline_file(arguments.output);
+  }
   const bool are_given = !arguments.seeds.empty();
   std::vector<StreamlineSeed> seeds;
   if (are_given)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,30 +14,27 @@
 #include "crossgrain/reading.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "messages.hpp"
+#include "output.hpp"
 
 namespace crossgrain::app {
 namespace {
 
 using Angle = std::optional<double>;
 
-/// Returns a line with the width of the summary's first column.
-std::string row(const char* what, const std::string& text) {
-  return fmt::format("{:<10} {}\n", what, text);
-}
-
-std::string answer_rows(const SolveReport& report, const SolveArguments& arguments) {
-  std::string text = row("hexahedra", line_of(report.answer));
+std::string answer_row(const SolveReport& report, const SolveArguments& arguments) {
+  std::string text = row("answer", line_of(report.answer, Command::kSolve));
   if (const std::size_t more = report.answer.reasons.size(); more > 1)
     text += row(
         "", fmt::format("and {}: crossgrain check {}", counted(more - 1, "more reason"), arguments.output));
   return text;
 }
 
-std::string lines_text(const SolveReport::Singularity& singularity) {
-  if (singularity.arcs == 0) return "none";
-  return fmt::format("{}, {:.4g} long in all, {}, {} on the surface", counted(singularity.arcs, "arc"),
-                     singularity.length, counted(singularity.nodes, "node"),
-                     counted(singularity.boundary_ends, "end"));
+std::string lines_row(const SolveReport::Singularity& singularity) {
+  if (singularity.arcs == 0) return row("singular", "none");
+  return row("singular",
+             fmt::format("{}, {:.4g} long in all, {}, {} on the surface", counted(singularity.arcs, "arc"),
+                         singularity.length, counted(singularity.nodes, "node"),
+                         counted(singularity.boundary_ends, "end")));
 }
 
 std::string angles_text(const Angle& mean, const Angle& p95, const Angle& max, const char* off_what) {
@@ -58,79 +56,33 @@ std::string alignment_row(const SolveReport::Alignment& alignment) {
   return row("alignment", text);
 }
 
-std::string grid_rows(const SolveReport& report) {
-  std::string text;
-  if (!report.levels.empty()) text += row("cells", fmt::format("{}", report.levels.back().active_cells));
-  text += row("singular", lines_text(report.singularity)) + alignment_row(report.alignment_deg);
-  if (report.constraints) {
-    constexpr const char* kOff = "their constraints";
-    text += angles_row("points", report.constraints->points.angle_deg, kOff) +
-            angles_row("polylines", report.constraints->polylines.angle_deg, kOff) +
-            angles_row("faces", report.constraints->faces.angle_deg, kOff) +
-            angles_row("stresses", report.constraints->stresses.angle_deg, kOff);
-  }
-  return text;
+std::string constraints_rows(const SolveReport& report) {
+  if (!report.constraints) return "";
+  constexpr const char* kOff = "their constraints";
+  return angles_row("points", report.constraints->points.angle_deg, kOff) +
+         angles_row("polylines", report.constraints->polylines.angle_deg, kOff) +
+         angles_row("faces", report.constraints->faces.angle_deg, kOff) +
+         angles_row("stresses", report.constraints->stresses.angle_deg, kOff);
 }
 
-std::string tets_rows(const SolveReport::Onto& onto) {
+std::string surface_row(const SolveReport::Model& model) {
+  return row("surface", fmt::format("{}, {}", counted(model.triangles, "triangle"),
+                                    model.watertight ? "watertight" : "not watertight"));
+}
+
+std::string cells_row(const SolveReport& report) {
+  return report.levels.empty() ? "" : row("cells", fmt::format("{}", report.levels.back().active_cells));
+}
+
+std::string tets_row(const SolveReport::Onto& onto) {
   const std::string origin =
       onto.prepared ? fmt::format(", split from {} for a map", onto.prepared->tets_before) : "";
   return row("tets", fmt::format("{}{}, {}, boundary {}", onto.tets, origin,
-                                 counted(onto.vertices, "vertex", "vertices"), name_of(onto.boundary))) +
-         row("singular", lines_text(onto.singularity)) +
-         (onto.repair ? row("repair", sentence_of(*onto.repair, onto.singularity)) : "") +
-         angles_row("surface", onto.normal_deg, "its normals") +
-         angles_row("creases", onto.crease_deg, "their faces");
+                                 counted(onto.vertices, "vertex", "vertices"), name_of(onto.boundary)));
 }
 
-/// Says which of several sizes of tets made the mesh.
-std::string tries_row(const HexReport& report) {
-  std::size_t sizes = 0;
-  double used = 0;
-  for (const HexAttempt& attempt : report.attempts) {
-    if (attempt.tet_size == 0) continue;
-    ++sizes;
-    if (attempt.round == report.attempts[report.best_attempt].round) used = attempt.tet_size;
-  }
-  if (sizes < 2) return "";
-  return row("tries", fmt::format("{}, of which {:.3g} is used",
-                                  counted(sizes, "size of tets", "sizes of tets"), used));
-}
-
-std::string hexahedra_rows(const SolveReport& report) {
-  const HexReport& hexahedra = *report.hexahedra;
-  std::string text = row("hexahedra", sentence_of(hexahedra));
-  if (report.regions.size() > 1)
-    text += row("regions", "meshed as one: hexahedra may reach across the faces between them");
-  text += tries_row(hexahedra);
-  if (hexahedra.hexahedra == 0) return text;
-  const auto percent = [](double ratio) { return fmt::format("{:+.2f} %", 100 * (ratio - 1)); };
-  return text +
-         row("fit",
-             fmt::format("volume {}, area {}; vertices within {:.3g} of the surface, the surface within "
-                         "{:.3g} of the hexahedra, which are {:.3g} in size",
-                         percent(hexahedra.volume / hexahedra.model_volume),
-                         percent(hexahedra.area / hexahedra.model_area), hexahedra.largest_distance,
-                         hexahedra.largest_distance_of_model, hexahedra.used_size)) +
-         (hexahedra.used_size < hexahedra.size
-              ? row("size", fmt::format("{:.3g} instead of {:.3g}, with which whole numbers of hexahedra "
-                                        "leave some inverted",
-                                        hexahedra.used_size, hexahedra.size))
-              : "");
-}
-
-std::string model_row(const SolveReport& report) {
-  std::string text = fmt::format("{}, {}", counted(report.model.triangles, "triangle"),
-                                 report.model.watertight ? "watertight" : "not watertight");
-  if (!report.regions.empty()) text += fmt::format(", {}", counted(report.regions.size(), "solid"));
-  return row("model", text);
-}
-
-std::string cost_row(const SolveReport& report) {
-  std::string text = fmt::format("{:.3g} s", report.seconds.total);
-  if (report.peak_memory_bytes > 0)
-    text += fmt::format(", {:.3g} MB of memory", static_cast<double>(report.peak_memory_bytes) / 1e6);
-  return row("cost", text);
+std::string repair_row(const SolveReport::Onto& onto) {
+  return onto.repair ? row("repair", sentence_of(*onto.repair, onto.singularity)) : "";
 }
 
 /// Says what an energy is good for: without a comparison it says nothing.
@@ -147,18 +99,95 @@ std::string tets_energy_row(const SolveReport::Onto& onto) {
                                    onto.dirichlet));
 }
 
+/// Of a field on tets that on the grid is only the start.
+std::string energy_row(const SolveReport& report) {
+  return report.onto ? tets_energy_row(*report.onto) : grid_energy_row(report.energy);
+}
+
+/// Returns what to do about hexahedra, in options of `hex` that suit the model.
+std::string remedy_of(const HexReport& hexahedra, const SolveArguments& arguments) {
+  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
+  if (hexahedra.remedy == Remedy::kSeparateSolids)
+    return can_glue ? "cut one from the other, or glue them with --glue" : "cut one from the other";
+  if (hexahedra.remedy != Remedy::kGlueSolids)
+    return words_of(hexahedra.remedy, hexahedra.remedy_number, Command::kHex);
+  if (can_glue) return "glue them with --glue";
+  if (arguments.glue) return "take smaller tets with --tet-size, between which a gap shows";
+  if (is_tet_file(arguments.model)) return "mesh them together, with common vertices where they touch";
+  return "unite them where they were drawn, or give a CAD file of them with --glue";
+}
+
+std::string hexahedra_row(const HexReport& hexahedra, const SolveArguments& arguments) {
+  return row("hexahedra", line_of(hexahedra, arguments));
+}
+
+std::string worst_row(const HexReport& hexahedra) {
+  return row("worst", shapes_of(hexahedra.quality));
+}
+
+/// Returns by how much a number is off another, in per cent with two digits.
+std::string deviation(double value, double right) {
+  constexpr double kLeastPercent = 1e-3;
+  const double percent = 100 * (value / right - 1);
+  if (std::abs(percent) < kLeastPercent) return fmt::format("within {:g} %", kLeastPercent);
+  return std::abs(percent) < 100 ? fmt::format("{:+.2g} %", percent) : fmt::format("{:+.0f} %", percent);
+}
+
+/// What a fit is measured against.
+const char* words_of(ModelSource source) {
+  switch (source) {
+    case ModelSource::kCad:
+      return "the CAD model";
+    case ModelSource::kSurface:
+      return "the surface";
+    case ModelSource::kTets:
+      break;
+  }
+  return "the tets";
+}
+
+std::string fit_row(const HexReport& hexahedra) {
+  const bool is_of_model = hexahedra.largest_distance_of_model > hexahedra.largest_distance;
+  const double distance = is_of_model ? hexahedra.largest_distance_of_model : hexahedra.largest_distance;
+  const auto& [x, y, z] =
+      is_of_model ? hexahedra.largest_distance_of_model_place : hexahedra.largest_distance_place;
+  return row("fit", fmt::format("volume {} and area {} of {}; farthest from the surface by {:.3g} at {:.4g} "
+                                "{:.4g} {:.4g}",
+                                deviation(hexahedra.volume, hexahedra.model_volume),
+                                deviation(hexahedra.area, hexahedra.model_area), words_of(hexahedra.model),
+                                distance, x, y, z));
+}
+
+/// Says which attempt made the mesh.
+std::string way_row(const HexReport& hexahedra) {
+  if (hexahedra.attempts.empty()) return "";
+  const HexAttempt& best = hexahedra.attempts[hexahedra.best_attempt];
+  std::string text = fmt::format("attempt {} of {}: field on {}", hexahedra.best_attempt + 1,
+                                 hexahedra.attempts.size(), counted(best.tets, "tet"));
+  for (const HexAttempt& attempt : hexahedra.attempts)
+    if (attempt.tet_size > 0 && attempt.round == best.round && attempt.tets > 0)
+      text += fmt::format(" of {:.3g}", attempt.tet_size);
+  return row("way", text + ", repaired");
+}
+
+/// What the map and the repair say, for whoever looks into a failure.
+std::string detail_row(const HexReport& hexahedra) {
+  return hexahedra.detail.empty() ? "" : row("map", hexahedra.detail);
+}
+
+std::string time_row(const SolveReport& report) {
+  std::string text = fmt::format("{:.3g} s", report.seconds.total);
+  if (report.peak_memory_bytes > 0)
+    text += fmt::format(", {:.3g} MB of memory", static_cast<double>(report.peak_memory_bytes) / 1e6);
+  return row("time", text);
+}
+
 std::string files_row(const SolveReport& report, const SolveArguments& arguments) {
-  OutputOptions written = arguments.output_options;
-  if (report.hexahedra) written.hexahedra = std::make_shared<const HexMesh>();
-  std::vector<std::string> names = result_files(written, report.onto.has_value());
+  std::vector<std::string> names = result_files(arguments.output_options, report);
   if (arguments.page) names.insert(names.begin(), kPageFile);
   for (std::string& name : names)
     if (name == kCellsFile && is_in_pieces(arguments.output)) name = kPiecesFile;
-  return row("result", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
-}
-
-std::string resolution_option(double cells) {
-  return fmt::format("use --resolution {:.0f}", cells);
+  return row("files", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
 }
 
 /// Returns the options with which walls are resolved.
@@ -168,44 +197,94 @@ std::string options_for_walls(const SolveReport& report, const Warning& warning,
   const double side = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   const int resolution = report.walls.resolution_needed;
   return (arguments.options.cell_size > 0 ? fmt::format("use --cell-size {:.6g}", side / resolution)
-                                          : resolution_option(resolution)) +
+                                          : words_of(Remedy::kUseResolution, resolution, Command::kSolve)) +
          (warning.remedy == Remedy::kAllowMemory ? " and allow more memory with --max-memory" : "");
 }
 
 /// Returns a warning with what to do about it, in options of `solve`.
 std::string advice_on(const Warning& warning, const SolveReport& report, const SolveArguments& arguments) {
-  if (warning.kind == WarningKind::kThinWalls)
+  if (warning.kind == WarningKind::kThinWalls && !arguments.hexahedra)
     return sentence_of(warning, options_for_walls(report, warning, arguments));
-  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
-  if (can_glue && warning.remedy == Remedy::kGlueSolids) return sentence_of(warning, "glue them with --glue");
-  if (can_glue && warning.remedy == Remedy::kSeparateSolids)
-    return sentence_of(warning, "cut one from the other, or glue them with --glue");
-  return line_of(warning, Command::kSolve);
+  return line_of(warning, arguments);
+}
+
+/// Whether the first line says it already.
+bool is_said(const Warning& warning, const SolveReport& report) {
+  const bool is_of_contact = warning.kind == WarningKind::kOverlappingSolids ||
+                             warning.kind == WarningKind::kTouchingSolids ||
+                             warning.kind == WarningKind::kUnmergedVertices;
+  return is_of_contact && report.hexahedra && report.hexahedra->outcome == HexOutcome::kFlawed;
 }
 
 std::string warning_rows(const SolveReport& report, const SolveArguments& arguments) {
   std::string text;
   for (const Warning& warning : report.warnings)
-    if (!is_of_reading(warning) && !is_always_printed(warning))
+    if (!is_of_reading(warning) && !is_always_printed(warning) && !is_said(warning, report))
       text += row("warning", advice_on(warning, report, arguments));
   return text;
 }
 
+/// The result of `solve`.
+std::string field_rows(const SolveReport& report, const SolveArguments& arguments) {
+  const std::string answer = answer_row(report, arguments);
+  if (!report.onto)
+    return answer + lines_row(report.singularity) + alignment_row(report.alignment_deg) +
+           constraints_rows(report) + energy_row(report);
+  return answer + lines_row(report.onto->singularity) +
+         angles_row("alignment", report.onto->normal_deg, "the surface") + energy_row(report);
+}
+
+/// The result of `hex`.
+std::string hexahedra_rows(const SolveReport& report, const SolveArguments& arguments) {
+  const HexReport& hexahedra = *report.hexahedra;
+  std::string text = hexahedra_row(hexahedra, arguments);
+  if (hexahedra.hexahedra > 0) text += worst_row(hexahedra) + fit_row(hexahedra);
+  return text + way_row(hexahedra);
+}
+
+/// What `--verbose` adds.
+std::string detail_rows(const SolveReport& report) {
+  std::string text;
+  if (report.hexahedra) {
+    text += detail_row(*report.hexahedra) + lines_row(report.onto->singularity) +
+            angles_row("alignment", report.onto->normal_deg, "the surface") + energy_row(report);
+  }
+  text += surface_row(report.model) + cells_row(report);
+  if (!report.onto) return text;
+  return text + tets_row(*report.onto) + repair_row(*report.onto) +
+         angles_row("creases", report.onto->crease_deg, "their faces");
+}
+
 }  // namespace
 
-std::string line_of(const Answer& answer) {
-  if (answer.reasons.empty() || answer.reasons.front().remedy != Remedy::kUseResolution)
-    return sentence_of(answer);
-  return sentence_of(answer, resolution_option(answer.reasons.front().remedy_number));
+Command command_of(const SolveArguments& arguments) {
+  return arguments.hexahedra ? Command::kHex : Command::kSolve;
+}
+
+std::string line_of(const Warning& warning, const SolveArguments& arguments) {
+  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
+  const bool is_of_gluing = warning.remedy == Remedy::kGlueSolids || warning.remedy == Remedy::kMergeVertices;
+  if (can_glue && is_of_gluing) return sentence_of(warning, "glue them with --glue");
+  if (can_glue && warning.remedy == Remedy::kSeparateSolids)
+    return sentence_of(warning, "cut one from the other, or glue them with --glue");
+  return line_of(warning, command_of(arguments));
+}
+
+std::string line_of(const Answer& answer, Command command) {
+  if (answer.reasons.empty()) return sentence_of(answer);
+  const Answer::Reason& first = answer.reasons.front();
+  return sentence_of(answer, words_of(first.remedy, first.remedy_number, command));
+}
+
+std::string line_of(const HexReport& hexahedra, const SolveArguments& arguments) {
+  return sentence_of(hexahedra, remedy_of(hexahedra, arguments));
 }
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
-  std::string text =
-      (report.hexahedra ? hexahedra_rows(report) : answer_rows(report, arguments)) + model_row(report);
-  text += report.onto ? tets_rows(*report.onto) : grid_rows(report);
-  text += cost_row(report) + warning_rows(report, arguments);
-  text += report.onto ? tets_energy_row(*report.onto) : grid_energy_row(report.energy);
-  return text + files_row(report, arguments);
+  std::string text = report.hexahedra ? hexahedra_rows(report, arguments) : field_rows(report, arguments);
+  text += warning_rows(report, arguments);
+  if (arguments.verbose) text += detail_rows(report);
+  return text + files_row(report, arguments) + time_row(report);
 }
 
 bool is_unsettled(const Warning& warning) {
@@ -217,9 +296,11 @@ bool is_of_reading(const Warning& warning) {
     case WarningKind::kUnknownUnit:
     case WarningKind::kMissingParts:
     case WarningKind::kLooseFaces:
+    case WarningKind::kRepeatedBodies:
     case WarningKind::kMissingFaces:
     case WarningKind::kCurvedTets:
     case WarningKind::kSkippedData:
+    case WarningKind::kThinPart:
       return true;
     default:
       return false;

@@ -7,20 +7,34 @@
 #include "arguments.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/verdict.hpp"
+#include "messages.hpp"
 
 namespace crossgrain::app {
 
-/// Returns the summary of a solve, several lines: the answer about hexahedra and what to do next, then the
-/// field and its cost, warnings, the energy and the files. Of tets it describes the field on them.
+/// Returns the summary of a run, a row for each thing: of `hex` the hexahedra, the worst of them, how they
+/// fit the model and the way to them; of `solve` the answer about hexahedra, the singular lines, the
+/// alignment and the energy of the field, on tets if it has any; then warnings, with `verbose` all other
+/// numbers, the files and the time. A new row is a function that returns it (`row`), and its place in the
+/// list.
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments);
 
-/// Returns the sentence of an answer, with the program's options in what to do next.
-std::string line_of(const Answer& answer);
+/// Returns the command whose arguments these are: `solve` or `hex`.
+Command command_of(const SolveArguments& arguments);
+
+/// Returns a warning with what to do about it, in options of the command that suit the model.
+std::string line_of(const Warning& warning, const SolveArguments& arguments);
+
+/// Returns the sentence of an answer, with options of the program in what to do next.
+std::string line_of(const Answer& answer, Command command);
+
+/// Returns the sentence about hexahedra likewise.
+std::string line_of(const HexReport& hexahedra, const SolveArguments& arguments);
 
 /// Returns whether the warning says that the energy has not settled.
 bool is_unsettled(const Warning& warning);
 
-/// Returns whether the warning comes from reading a file; it is printed before the solve.
+/// Returns whether the warning comes from reading a file, or from what is asked for: it is printed before the
+/// work.
 bool is_of_reading(const Warning& warning);
 
 /// Returns whether the warning is printed even with --quiet: what was solved differs from the input or the

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "crossgrain/writing.hpp"
@@ -52,8 +52,13 @@ void run_tets(const TetsArguments& arguments) {
   const ThreadLimit limit(arguments.threads);
   TetMesh mesh;
   {
-    ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
-    Monitor monitor([&lines](const Progress& progress) { lines.show(progress); });
+    ProgressLines lines(arguments.progress, arguments.quiet);
+    Monitor monitor([&lines](const Progress& progress) { lines.show(progress); }, {},
+                    [&](const ModelSummary& model) {
+                      if (arguments.quiet) return;
+                      lines.leave_line();
+                      print_result(row("model", sentence_of(model)));
+                    });
     const Interruption interruption(monitor, lines.is_moving());
     mesh = make_tets(std::filesystem::path(arguments.model), arguments.options, monitor);
     monitor.report({Phase::kWrite, 0, 0, 0, 0});

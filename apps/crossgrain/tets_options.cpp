@@ -52,9 +52,13 @@ void add_making_of_tets(CLI::App& command, SolveArguments& arguments, CLI::Optio
 CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "tets", "Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen");
+  add_examples(*command,
+               "crossgrain tets part.step --size 2 -o part.msh\n"
+               "crossgrain tets part.stl --edges 30             # writes part.mesh");
   TetMakingOptions& options = arguments.options;
   add_argument(*command, "MODEL", arguments.model,
-               "A STEP, IGES or BREP file, or a closed surface in an STL, OBJ, PLY or OFF file");
+               "A STEP, IGES, BREP or FCStd file, or a closed surface in an STL, OBJ, PLY, OFF or 3MF file; "
+               "any of them also as .gz");
   add_value(*command, "-o,--output", arguments.output, "FILE",
             "The .mesh (Medit) or .msh (Gmsh) file to write (default: MODEL-stem.mesh here)");
   add_sizes(*command, options);
@@ -71,6 +75,7 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
             "Edges between faces whose normals differ by more degrees are creases, which stay edges "
             "(default 35)");
   add_glue(*command, options.glue);
+  add_unit(*command, options.unit);
   add_limits(*command, options);
   add_threads(*command, arguments.threads);
   add_quiet(*command, arguments.quiet, arguments.progress);

@@ -32,16 +32,11 @@ std::filesystem::path find_view_program() {
 }
 
 void check_folder(const std::filesystem::path& folder) {
-  std::error_code failure;
-  const auto fail = [&](const std::string& text, Remedy remedy = Remedy::kNone) {
-    throw Error(ErrorKind::kInput, {folder.string(), "", text, remedy});
-  };
-  const std::filesystem::file_status status = std::filesystem::status(folder, failure);
-  if (!std::filesystem::exists(status)) fail("no such folder", Remedy::kGiveFieldFolder);
-  if (!std::filesystem::is_directory(status)) fail("is not a folder", Remedy::kGiveFieldFolder);
-  if (!std::filesystem::is_regular_file(folder / kPageName, failure))
-    fail(fmt::format("has no {}; solve again without --no-report", kPageName));
   solve_of_result(folder);
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(folder / kPageName, failure))
+    throw Error(ErrorKind::kInput,
+                {folder.string(), "", fmt::format("has no {}; solve again without --no-report", kPageName)});
 }
 
 }  // namespace

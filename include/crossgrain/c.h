@@ -239,7 +239,9 @@ typedef enum crossgrain_phase {
   CROSSGRAIN_WRITING = 5,
   CROSSGRAIN_MAKING_TETS = 6, /**< cuts a solid into tets */
   CROSSGRAIN_REPAIRING = 7,   /**< changes matchings of a field on tets until hexahedra can follow */
-  CROSSGRAIN_HEXAHEDRA = 8    /**< maps a repaired field to the grid, and makes hexahedra */
+  CROSSGRAIN_MAPPING = 8,     /**< maps a repaired field to the grid */
+  CROSSGRAIN_HEXAHEDRA = 9,   /**< takes hexahedra out of the map */
+  CROSSGRAIN_SMOOTHING = 10   /**< smooths them */
 } crossgrain_phase;
 
 typedef struct crossgrain_progress {
@@ -250,10 +252,13 @@ typedef struct crossgrain_progress {
   int sweep;     /**< sweeps done on that level */
   size_t cells;  /**< active cells of that level; vertices on tets */
   double energy; /**< energy after that sweep; NaN if not known */
+  double share;  /**< of the phase, 0 to 1, that is done; negative if not known */
 
-  /** Of a search for hexahedra: number of the attempt, from 1, 0 outside of one; number of hexahedra of the
-      best mesh so far, and whether they fill the model. */
+  /** Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; how many there are
+      at most, as far as known; number of hexahedra of the best mesh so far, and whether they fill the model.
+   */
   size_t attempt;
+  size_t attempts;
   size_t hexahedra;
   int is_whole;
 } crossgrain_progress;
@@ -280,8 +285,8 @@ crossgrain_status crossgrain_monitor_new(crossgrain_on_progress on_progress,
 /** Ends computations with this monitor soon, with CROSSGRAIN_INTERRUPTED. */
 void crossgrain_monitor_cancel(crossgrain_monitor* monitor);
 
-/** Asks a solve for which stops are allowed to return the field of its last finished level (Monitor::stop).
- */
+/** Asks a solve for which stops are allowed to return the field of its last finished level, and a search for
+ * hexahedra the best mesh so far (Monitor::stop). */
 void crossgrain_monitor_stop(crossgrain_monitor* monitor);
 
 /** Allows stops; to be called before the solve. */
@@ -319,6 +324,9 @@ crossgrain_status crossgrain_mesh_add_crease(crossgrain_mesh* mesh, const double
 crossgrain_status crossgrain_mesh_add_inner_faces(crossgrain_mesh* mesh, const uint32_t* triangles,
                                                   size_t count, crossgrain_error** error);
 
+/** Sets the unit of the coordinates, such as "mm": a label, no number changes. */
+crossgrain_status crossgrain_mesh_set_unit(crossgrain_mesh* mesh, const char* unit, crossgrain_error** error);
+
 /** The arrays of a surface. Those that belong to triangles are NULL where the mesh has none. */
 size_t crossgrain_mesh_vertex_count(const crossgrain_mesh* mesh);
 size_t crossgrain_mesh_triangle_count(const crossgrain_mesh* mesh);
@@ -352,6 +360,9 @@ crossgrain_status crossgrain_tets_new(const double* vertices, size_t vertex_coun
  */
 crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes, crossgrain_monitor* monitor,
                                        crossgrain_tets** out, crossgrain_error** error);
+
+/** Sets the unit of the coordinates, such as "mm": a label, no number changes. */
+crossgrain_status crossgrain_tets_set_unit(crossgrain_tets* tets, const char* unit, crossgrain_error** error);
 
 /** Cuts the solids of a CAD file or of a closed surface, in a file or in memory, into tets (make_tets), by
  * gmsh or Netgen; `options` of kind CROSSGRAIN_TET_MAKING_OPTIONS, or NULL. */
@@ -746,9 +757,11 @@ crossgrain_status crossgrain_hexahedra_field(const crossgrain_hexahedra* hexahed
 crossgrain_status crossgrain_hexahedra_report(const crossgrain_hexahedra* hexahedra, char** json,
                                               crossgrain_error** error);
 
-/** Writes the mesh in the format of the extension: .vtu, .mesh, .msh or .inp (write_hexahedra). */
+/** Writes the mesh in the format of the extension: .vtu, .mesh, .msh or .inp (write_hexahedra). `inverted`:
+ * not 0 if the latter three may hold inverted hexahedra. */
 crossgrain_status crossgrain_hexahedra_write(const crossgrain_hexahedra* hexahedra, const char* path,
-                                             crossgrain_monitor* monitor, crossgrain_error** error);
+                                             int inverted, crossgrain_monitor* monitor,
+                                             crossgrain_error** error);
 
 /** Writes the folder that `crossgrain hex` writes: the field on tets and the mesh in all formats. Arguments
  * as of crossgrain_field_write. */
@@ -900,7 +913,8 @@ size_t crossgrain_lines_arc_seeds(const crossgrain_lines* lines);
 /** A line; NULL beyond the last. */
 const crossgrain_line* crossgrain_lines_line(const crossgrain_lines* lines, size_t index);
 
-/** Writes lines to a .vtu file. `solve` names the solve of their field, or is NULL (SolveReport::solve). */
+/** Writes lines to a .vtu, .vtp or .obj file. `solve` names the solve of their field, or is NULL
+ * (SolveReport::solve). */
 crossgrain_status crossgrain_lines_write(const crossgrain_lines* lines, const char* path, const char* solve,
                                          crossgrain_monitor* monitor, crossgrain_error** error);
 

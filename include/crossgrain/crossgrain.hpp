@@ -11,6 +11,7 @@
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/hexahedra.hpp"
 #include "crossgrain/message.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/page.hpp"

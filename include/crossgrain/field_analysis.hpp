@@ -85,7 +85,8 @@ struct FieldAnalysis {
       double length = 0;           ///< model units
       double followed = 0;         ///< share of the length where frames see k quarter turns
       Verdict verdict{};
-      Vector3 place{};  ///< middle of the edge of the least angle
+      Vector3 place{};                       ///< middle of the edge of the least angle
+      std::vector<std::int32_t> faces = {};  ///< numbers of the two faces there; empty if faces have none
     };
 
     /// A vertex of the surface where such creases end.
@@ -95,6 +96,11 @@ struct FieldAnalysis {
       std::vector<int> arcs;       ///< numbers of hexahedra of the arcs that it needs to have a link
       Verdict verdict{};
       Vector3 place{};
+
+      /// Numbers of the faces of the model around it in cyclic order, from its narrowest part on; empty if
+      /// faces have none.
+      std::vector<std::int32_t> faces = {};
+      double narrowest_deg = 360;  ///< angle of that part, between two sharp edges of the surface
     };
     std::vector<Crease> crease_list;
     std::vector<Corner> corner_list;

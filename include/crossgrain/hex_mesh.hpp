@@ -29,6 +29,9 @@ struct HexMesh {
   std::vector<Face> boundary = {};         ///< faces of only one hexahedron, outward by the right-hand rule
 
   std::string unit = {};  ///< of the coordinates, as of a TriangleMesh
+
+  /// Whether it is a part of its model, or has inverted hexahedra: names and heads of its files say so.
+  bool is_partial = false;
 };
 
 /// @}

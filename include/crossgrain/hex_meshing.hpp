@@ -10,6 +10,7 @@
 #include "crossgrain/tet_domain.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/types.hpp"
+#include "crossgrain/verdict.hpp"
 #include "crossgrain/warning.hpp"
 
 namespace crossgrain {
@@ -21,16 +22,27 @@ namespace crossgrain {
 struct HexExpectation {
   std::size_t tets = 0;
   double size = 0;       ///< of the hexahedra, model units
-  double hexahedra = 0;  ///< the volume in cubes of that size
+  double hexahedra = 0;  ///< about their number: most often within a factor of two
+
+  /// Largest edge of tets that were made; 0 if they were given.
+  struct TetSize {
+    double used = 0;
+
+    /// The size that comes first by the rule of HexMeshingOptions::tets or by its option, and its number of
+    /// tets, if these were so many that a larger size was taken; else 0.
+    double dropped = 0;
+    std::size_t dropped_tets = 0;
+  } tet_size;
 };
 
 /// How a model is meshed with hexahedra.
 struct HexMeshingOptions {
   HexOptions hexahedra;
 
-  /// How tets are made of a model that has none. Without a size their edges are 1.4 times those of the
-  /// hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is less. Their crease angle and
-  /// limit of memory are their own: give those of `solve` too.
+  /// How tets are made of a model that has none; `unit` is for a file of tets too. Without a size their edges
+  /// are 1.4 times those of the hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is
+  /// less. Where this first size, or the one given, makes more than 50,000 tets, four times the size comes
+  /// first. Their crease angle and limit of memory are their own: give those of `solve` too.
   TetMakingOptions tets;
 
   /// How tags of given tets are read.
@@ -43,8 +55,15 @@ struct HexMeshingOptions {
   /// it too.
   std::function<void(const Warning& warning)> on_warning;
 
-  /// Hears what is to be expected, before each solve.
+  /// Hears what is to be expected, once, before the first solve.
   std::function<void(const HexExpectation& expected)> on_expected;
+
+  /// Hears the answer about the first field, before its repair: what stands in the way of hexahedra. A repair
+  /// may change any of it.
+  std::function<void(const Answer& answer)> on_answer;
+
+  /// Hears of the end of each attempt at a mesh.
+  std::function<void(const HexAttemptEnd& end)> on_attempt_end;
 };
 
 /// Returns hexahedra that fill a model: cuts it into tets (`make_tets`) unless its file has tets, solves on
@@ -57,8 +76,13 @@ struct HexMeshingOptions {
 /// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`. The same
 /// to the bit for any number of threads, with the same program that makes tets.
 ///
-/// Errors: those of `make_tets` or `read_tets`, `solve_onto` and `hexahedra`, naming the file; but if later
-/// tets fail, the result of earlier ones is returned. A stop of the monitor is kInterrupted.
+/// The monitor hears of the model of a file as soon as it is read. Sizes that leave less than two hexahedra
+/// across most of the model are a warning (WarningKind::kThinPart), before the work.
+///
+/// Errors: those of `make_tets` or `read_tets`, `solve_onto` and `hexahedra`, naming the file; kUsage for
+/// hexahedra that are larger than the model, or so small that no memory holds them; but if later tets fail,
+/// the result of earlier ones is returned. If the monitor allows stops, a stop returns the best mesh so far
+/// (HexReport::is_stopped); it is kInterrupted otherwise, and if there is none.
 Hexahedra make_hexahedra(const std::filesystem::path& model,
                          const HexMeshingOptions& options = HexMeshingOptions(), const Monitor& monitor = {});
 

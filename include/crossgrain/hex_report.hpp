@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/message.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -23,6 +24,11 @@ enum class HexOutcome : int {
 
 /// Returns a name for files and scripts: "all-hex".
 const char* name_of(HexOutcome outcome);
+
+/// Whether there is no mesh of the whole model: files then bear "partial" (HexMesh::is_partial).
+inline bool is_partial(HexOutcome outcome) {
+  return outcome == HexOutcome::kPartial || outcome == HexOutcome::kNone;
+}
 
 /// One attempt of a search for hexahedra.
 struct HexAttempt {
@@ -56,13 +62,19 @@ struct HexReport {
   static constexpr std::size_t kMostPlaces = 20;
 
   HexOutcome outcome = HexOutcome::kNone;
-  std::string reason;           ///< why it is not kAllHex, with a place if there is one
-  std::string remedy;           ///< what to try then
-  std::vector<Vector3> places;  ///< where: of what `reason` counts, the worst first, at most kMostPlaces
-  double size = 0;              ///< of the hexahedra that were asked for
+
+  /// Why it is not kAllHex: what is wrong with the part, with a place and the faces there if they are known;
+  /// and the same in terms of map and field.
+  std::string reason, detail;
+  Remedy remedy = Remedy::kNone;  ///< what to try then; kNone if nothing is known to help
+  double remedy_number = 0;       ///< if `has_number`
+  std::vector<Vector3> places;    ///< where: of what `detail` counts, the worst first, at most kMostPlaces
+  double size = 0;                ///< of the hexahedra that were asked for
   double used_size = 0;
+  double expected = 0;  ///< number of hexahedra of `size`, as forecast before the work
 
   std::size_t hexahedra = 0, vertices = 0;
+  std::size_t bodies = 0;    ///< sets of hexahedra connected over faces
   bool is_coarse = false;    ///< far fewer than would fill the model at `size`
   std::size_t left_out = 0;  ///< cells of the grid that the map covers more than once, or without a corner
 
@@ -81,6 +93,11 @@ struct HexReport {
   double largest_distance = 0, mean_distance = 0, largest_distance_of_model = 0;
   Vector3 largest_distance_place{0, 0, 0}, largest_distance_of_model_place{0, 0, 0};
 
+  /// Faces between hexahedra of different regions, and the largest distance of their vertices from where
+  /// regions of the model meet.
+  std::size_t interface_faces = 0;
+  double largest_interface_distance = 0;
+
   struct Quality {
     double least = 0, one_percent = 0, mean = 0;
     Vector3 worst_place{0, 0, 0};  ///< the centre of the worst hexahedron
@@ -97,14 +114,22 @@ struct HexReport {
 
   std::vector<HexAttempt> attempts;  ///< all, in the order in which they were made
   std::size_t best_attempt = 0;      ///< that made the mesh
+  bool is_stopped = false;           ///< by Monitor::stop: the best of those that had ended by then
 
   /// Seconds of the steps of all attempts: repairs, maps, extraction, smoothing; and of the numbers above.
   double repair_seconds = 0, map_seconds = 0, extraction_seconds = 0, smoothing_seconds = 0,
          analysis_seconds = 0;
 };
 
-/// Returns the report as a sentence: "all-hex, 1268 hexahedra, worst scaled Jacobian 0.71 at 3.2 0.1 4".
+/// Returns the report as a sentence: "all-hex: 1268 of 2", with their size and number beside those expected
+/// where they differ, shapes that are too poor to compute on, and reason and remedy unless it is kAllHex.
 std::string sentence_of(const HexReport& report);
+
+/// Returns the sentence with other words for the remedy.
+std::string sentence_of(const HexReport& report, const std::string& remedy_words);
+
+/// Returns shapes in words: "scaled Jacobian 0.71 at 3.2 0.1 4, 0.93 in the mean".
+std::string shapes_of(const HexReport::Quality& quality);
 
 /// @}
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include "crossgrain/hex_map.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/hex_report.hpp"
@@ -21,6 +24,16 @@ struct HexOptions {
   double cells = 20;
 
   int threads = 0;  ///< 0 for all; the result does not depend on it
+};
+
+/// How an attempt at a mesh ended.
+struct HexAttemptEnd {
+  std::size_t attempt = 0, attempts = 0;  ///< as Progress
+  HexOutcome outcome = HexOutcome::kNone;
+  std::size_t hexahedra = 0;
+  std::string text;    ///< such as "no map: 2 singular arcs would have no length, ... at 1 2 3"
+  std::string next;    ///< what is tried next, such as "tets of 2.1"; empty if nothing is
+  double seconds = 0;  ///< that it took
 };
 
 /// Hexahedra with the field that they follow.
@@ -44,8 +57,10 @@ struct Hexahedra {
 /// The method is the one of integer-grid maps (Nieser, Reitebuch, Polthier 2011; Bommes, Campen, Ebke,
 /// Alliez, Kobbelt 2013; Lyon, Bommes, Kobbelt 2016). The same to the bit for any number of threads.
 ///
+/// If the monitor allows stops, a stop returns the best mesh so far (HexReport::is_stopped).
+///
 /// Errors: as `repaired`; kUsage for options out of range; kLimit for more hexahedra than memory or numbers
-/// hold; kInterrupted by the monitor.
+/// hold; kInterrupted by the monitor, and by a stop before there is a mesh.
 Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options = {}, const Monitor& monitor = {});
 
 /// @}

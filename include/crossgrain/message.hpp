@@ -79,15 +79,19 @@ enum class Remedy : int {
   kAllowTetTime,   ///< TetMakingOptions::seconds
   kChangeTetSize,  ///< TetMakingOptions::size
   kTakeLargerTets,
+  kGiveTetSize,  ///< another TetMakingOptions::size
   kFreeTemporarySpace,
 
-  // Hexahedra.
+  // Hexahedra that are made.
+  kGiveHexSize,  ///< another HexOptions::size
+  kTakeLargerHexahedra,
   kTakeSmallerHexahedra,
 
   // Options.
   kRaiseResolution,
   kLowerResolution,
   kUseLessMemory,
+  kGiveCellSize,  ///< another SolveOptions::cell_size
   kTurnView,
 
   // The answer whether hexahedra can follow a field (Answer::Reason).

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/statistics.hpp"
 
 namespace crossgrain {
@@ -15,15 +16,17 @@ namespace crossgrain {
 
 /// What a long computation is at.
 enum class Phase : int {
-  kRead,      ///< reads the model
-  kGrid,      ///< builds the octree cells of a level
-  kSolve,     ///< finds the frames of a level
-  kAnalysis,  ///< measures the solved field and finds its singular lines
-  kTets,      ///< finishes the field on a tet mesh
-  kWrite,     ///< writes files
-  kMakeTets,  ///< cuts a solid into tets
-  kRepair,    ///< changes matchings of a field on tets until hexahedra can follow
-  kHexahedra  ///< maps a repaired field to the grid, and makes hexahedra
+  kRead,       ///< reads the model
+  kGrid,       ///< builds the octree cells of a level
+  kSolve,      ///< finds the frames of a level
+  kAnalysis,   ///< measures the solved field and finds its singular lines
+  kTets,       ///< finishes the field on a tet mesh
+  kWrite,      ///< writes files
+  kMakeTets,   ///< cuts a solid into tets
+  kRepair,     ///< changes matchings of a field on tets until hexahedra can follow
+  kMap,        ///< maps a repaired field to the grid
+  kHexahedra,  ///< takes hexahedra out of the map
+  kSmooth      ///< smooths them
 };
 
 /// Returns a name for display: "grid".
@@ -32,9 +35,10 @@ const char* name_of(Phase phase);
 /// State of a long computation.
 struct Progress {
   Phase phase;
-  int depth;          ///< octree depth of the current level, 0 if there is none
-  std::size_t cells;  ///< active cells of that level; in kTets, kRepair and kHexahedra vertices of the mesh
-  int sweep;          ///< sweeps done on that level
+  int depth;  ///< octree depth of the current level, 0 if there is none
+  std::size_t
+      cells;  ///< active cells of that level; vertices of the mesh in kTets and kRepair; 0 if there are none
+  int sweep;  ///< sweeps done on that level
 
   /// Energy after that sweep, in the degree of the solve, including what the report calls unavoidable; in
   /// degree 3 an upper bound. At the end of a level that of the report. Not finite if it is not known yet.
@@ -43,9 +47,12 @@ struct Progress {
   int level = 0;   ///< 1-based number of the level; 1 is the coarsest, 0 if there is none
   int levels = 0;  ///< expected number of levels
 
-  /// Of a search for hexahedra: number of the attempt, from 1 (HexReport::attempts), 0 outside of one; number
-  /// of hexahedra of the best mesh so far, and whether they fill the model.
-  std::size_t attempt = 0, hexahedra = 0;
+  double share = -1;  ///< of the phase, from 0 to 1, that is done; negative if it is not known
+
+  /// Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; how many there are
+  /// at most, as far as that is known by now; number of hexahedra of the best mesh so far, and whether they
+  /// fill the model.
+  std::size_t attempt = 0, attempts = 0, hexahedra = 0;
   bool is_whole = false;
 };
 
@@ -60,11 +67,15 @@ class Monitor {
  public:
   Monitor() = default;
   explicit Monitor(std::function<void(const Progress&)> on_progress,
-                   std::function<void(const Expectation&)> on_expectation = {})
-      : on_progress_(std::move(on_progress)), on_expectation_(std::move(on_expectation)) {}
+                   std::function<void(const Expectation&)> on_expectation = {},
+                   std::function<void(const ModelSummary&)> on_model = {})
+      : on_progress_(std::move(on_progress)),
+        on_expectation_(std::move(on_expectation)),
+        on_model_(std::move(on_model)) {}
 
   /// A monitor for a part of a computation: cancelled and stopped with `whole`, which must outlive it, and
-  /// hears its forecasts and its progress with what `add` tells besides.
+  /// hears its models and forecasts, and its progress with what `add` tells besides. A stop ends the part:
+  /// what is worth returning of the whole is the whole's to say.
   Monitor(const Monitor& whole, std::function<void(Progress&)> add);
 
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
@@ -73,9 +84,10 @@ class Monitor {
   }
 
   /// Asks a solve for which stops are allowed (`allow_stops`) to return the field of its last finished level,
-  /// with SolveReport::unfinished. Acts like `cancel` if no level is finished, and for work of which a part
-  /// is useless, such as reading a model. Has no effect once the finest level is solved: tracing, drawing and
-  /// writing a field continue, and only `cancel` ends them.
+  /// with SolveReport::unfinished; a search for hexahedra, the best mesh so far, with HexReport::is_stopped.
+  /// Acts like `cancel` if there is none, and for work of which a part is useless, such as reading a model.
+  /// Has no effect once the finest level is solved or the search has ended: tracing, drawing and writing
+  /// continue, and only `cancel` ends them.
   void stop() noexcept { stopped_.store(true, std::memory_order_relaxed); }
   bool stopped() const noexcept {
     return stopped_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->stopped());
@@ -97,6 +109,12 @@ class Monitor {
     if (on_expectation_) on_expectation_(expectation);
   }
 
+  /// Calls the listener with a model whose file was read, before any work with it. A search for hexahedra
+  /// reads its model anew for tets of each size.
+  void tell(const ModelSummary& model) const {
+    if (on_model_) on_model_(model);
+  }
+
   /// Throws Error(kInterrupted) once cancelled.
   void check() const;
 
@@ -109,6 +127,7 @@ class Monitor {
   const Monitor* whole_ = nullptr;
   std::function<void(const Progress&)> on_progress_;
   std::function<void(const Expectation&)> on_expectation_;
+  std::function<void(const ModelSummary&)> on_model_;
 };
 
 /// @}

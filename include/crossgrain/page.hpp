@@ -34,7 +34,8 @@ CompanionFile page_of(const FrameField& field);
 CompanionFile page_of(const TetFrameField& field, std::shared_ptr<const HexMesh> hexahedra = nullptr);
 
 /// Writes the page as a single HTML file that needs no other. The file appears complete or not at all.
-/// Errors: kInput for a field without its surface; kOutput; kInterrupted.
+/// Errors: kUsage for a name that ends in anything but .html or .htm, if in anything; kInput for a field
+/// without its surface; kOutput; kInterrupted.
 void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
 void write_page(const TetFrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
 

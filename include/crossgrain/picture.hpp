@@ -105,7 +105,8 @@ struct PictureCurves {
 /// processor. The same field and options give the same bytes on any number of threads. Cells that were left
 /// out of a field (OutputOptions) have no colours and no frames.
 ///
-/// Errors: kUsage for options out of range; kInput for a field without its surface or without what the
+/// Errors: kUsage for options out of range and for a name that ends in anything but .png, if in anything;
+/// kInput for a field without its surface or without what the
 /// options colour by, as earlier versions wrote; kOutput; kInterrupted.
 void render_picture(const FrameField& field, const std::filesystem::path& picture,
                     const PictureOptions& options = {}, const PictureCurves& curves = {},

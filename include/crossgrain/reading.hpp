@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 
 #include "crossgrain/constraints.hpp"
 #include "crossgrain/monitor.hpp"
@@ -35,6 +36,10 @@ struct ReadOptions {
   /// belongs to the smallest. An Error(kInput) if OpenCASCADE cannot do it.
   bool glue = false;
 
+  /// Unit of the coordinates of a file that names none: a label, no number changes. STEP and IGES files that
+  /// name a unit are converted to millimetres; another one here is an Error(kUsage).
+  LengthUnit unit = LengthUnit::kUnknown;
+
   /// Time limit for reading a CAD file, plus 10 s per megabyte of it. OpenCASCADE does not terminate on some
   /// damaged files; sound ones take less than a second, or a few seconds with many thousands of faces.
   double read_seconds = 60;
@@ -49,25 +54,30 @@ struct ReadOptions {
 ReadOptions read_options_for(const SolveOptions& options);
 
 /// Reads a surface. The extension, in either case, names the format: STL (ASCII or binary), OBJ, PLY (ASCII
-/// or binary) or OFF; STEP (.step, .stp), IGES (.iges, .igs) or OpenCASCADE's BREP (.brep, .brp). Vertices
+/// or binary), OFF or 3MF; STEP (.step, .stp), IGES (.iges, .igs), OpenCASCADE's BREP (.brep, .brp) or a
+/// document of FreeCAD (.FCStd). Files of each format may be packed by gzip (.stl.gz). Vertices
 /// with equal coordinates are merged and unused vertices dropped, so that neighbouring triangles share
 /// indices in every format. Throws Error(kInput) naming the file, the place in it and the remedy;
 /// Error(kUsage) for options out of range.
 ///
 /// Mesh files: polygons are triangulated in their own plane; colours, normals, materials and groups are
-/// ignored; triangles without area are kept.
+/// ignored; triangles without area are kept. Of 3MF the items to build are read, in millimetres.
 ///
 /// CAD files: the mesh has faces, solids, corner normals and creases, in millimetres if the format has units.
+/// Of a document of FreeCAD the objects that are visible are read. Open faces alone are an Error(kInput).
 /// Faces point out of their solid. Faces and shells without a solid are sewn where they meet, and each shell
 /// becomes a solid. OpenCASCADE reads the file, if Crossgrain was built with it, in a separate process that
 /// ends with this call: a crash, a hang or too much memory there is an Error(kInput), as for any damaged
 /// file. Cancelling the monitor kills that process and throws Error(kInterrupted). The result depends only on
 /// the file and the options.
+///
+/// The monitor hears of the model as soon as it is read (Monitor::tell).
 TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options = {},
                           const Monitor& monitor = {});
 
 /// Reads a tet mesh. The extension, in either case, names the format: Medit (.mesh in text, .meshb in
-/// binary), Gmsh (.msh, version 2 or 4.1) or VTK (.vtk, .vtu), in text or binary. Vertices and tets keep the
+/// binary), Gmsh (.msh, version 2 or 4.1) or VTK (.vtk, .vtu), in text or binary; each of them may be packed
+/// by gzip (.msh.gz). Vertices and tets keep the
 /// order of the file, including those that are unused, inverted or without volume. Tets of higher order are
 /// read as straight ones, with a warning. Regions and the tags of edges and triangles are reference numbers
 /// (Medit), physical groups or else entities (Gmsh), or an array of cell data (VTK: CellEntityIds or similar,
@@ -76,10 +86,13 @@ TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& 
 /// without tets or with other solid elements.
 TetMesh read_tets(const std::filesystem::path& path);
 
-/// Returns whether the extension of a file is one of a CAD file.
+/// Returns the name of a model without folder and extensions: "part" for models/part.step.gz.
+std::string stem_of_model(const std::filesystem::path& path);
+
+/// Returns whether the extension of a file, without .gz, is one of a CAD file.
 bool is_cad_file(const std::filesystem::path& path);
 
-/// Returns whether the extension of a file is one that `read_tets` reads, not `read_surface`.
+/// Returns whether the extension of a file, without .gz, is one that `read_tets` reads, not `read_surface`.
 bool is_tet_file(const std::filesystem::path& path);
 
 /// Reads and checks the constraints in a JSON file (docs/constraints.md), with the file and lines for

@@ -96,8 +96,12 @@ struct OutputOptions {
   /// format "fra"): they are written with the length 1 / hex_size.
   double hex_size = 1;
 
-  /// Hexahedra to write as hexahedra.vtu, .mesh, .msh and .inp (`write_hexahedra`); null for none.
+  /// Hexahedra to write as hexahedra.vtu, .mesh, .msh and .inp (`write_hexahedra`), of a partial mesh as
+  /// hexahedra.partial.vtu and so on; null for none. With inverted ones .vtu alone, for display.
   std::shared_ptr<const HexMesh> hexahedra = {};
+
+  /// Whether hexahedra are written in all formats even if some are inverted, which solvers take for sound.
+  bool inverted_hexahedra = false;
 
   /// The map that they are cells of, for the formats that have it.
   std::shared_ptr<const HexMap> hex_map = {};
@@ -163,13 +167,15 @@ std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::p
 /// Error(kInput).
 bool is_clipped_field(const std::filesystem::path& folder);
 
-/// File of hexahedra in the folder of a field from which `read_hexahedra` reads.
+/// Files of hexahedra in the folder of a field from which `read_hexahedra` reads: the second of a partial
+/// mesh. A folder has one of them at most.
 inline constexpr const char* kHexahedraFile = "hexahedra.vtu";
+inline constexpr const char* kPartialHexahedraFile = "hexahedra.partial.vtu";
 
 /// Reads what `write_hexahedra` has written to a .vtu file, to the bit but for the unit, which the file does
-/// not tell; or the hexahedra in a folder (OutputOptions::hexahedra), with the unit of its report. If the
-/// file is of an earlier version, which did not list the boundary, that has no tags. Throws Error(kInput),
-/// also for a folder without hexahedra.
+/// not tell; or the hexahedra in a folder (OutputOptions::hexahedra), whole or partial, with the unit of its
+/// report. If the file is of an earlier version, which did not list the boundary, that has no tags. Throws
+/// Error(kInput), also for a folder without hexahedra.
 HexMesh read_hexahedra(const std::filesystem::path& path);
 
 /// Default name of the file that `crossgrain streamlines` writes to the folder of a field.
@@ -182,12 +188,16 @@ std::optional<std::string> model_of_result(const std::filesystem::path& folder);
 SolveReport report_of_result(const std::filesystem::path& folder);
 
 /// Returns SolveReport::solve that all files of a result name; empty if they name none. Finishes an
-/// interrupted `write_field` first. Throws Error(kInput), naming two files, if they are of different solves.
+/// interrupted `write_field` first. Throws Error(kInput), naming two files, if they are of different solves,
+/// and if there is no such folder.
 std::string solve_of_result(const std::filesystem::path& folder);
 
 /// Returns the names of the files that `write_field` writes with these options for a field on a grid or, with
 /// `on_tets`, on tets; report.json comes last.
 std::vector<std::string> result_files(const OutputOptions& options = {}, bool on_tets = false);
+
+/// The same for the field of a report, with the hexahedra that it is about instead of those of the options.
+std::vector<std::string> result_files(OutputOptions options, const SolveReport& report);
 
 /// Throws Error(kOutput) if `write_field` could not or, because of foreign files, would not write to a
 /// folder, and if another one is about to. Returns the sole right to do so; when that goes unused, nothing of

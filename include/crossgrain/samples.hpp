@@ -37,10 +37,13 @@ struct SampleFiles {
 
 /// Writes a comment line that names the columns, then the frame at each point (FrameField::sample), one line
 /// per point: the nine numbers of its three unit axes, with 17 significant digits. Returns the number of
-/// points outside all active cells. Both files appear complete or not at all. Throws Error(kOutput) and
-/// Error(kInterrupted).
+/// points outside all active cells. Both files appear complete or not at all. Throws Error(kUsage) for names
+/// that end in anything but .txt or .dat, if in anything; Error(kOutput) and Error(kInterrupted).
 std::size_t write_samples(const FrameField& field, std::span<const Vector3> points, const SampleFiles& files,
                           const Monitor& monitor = {});
+
+/// Throws the Error(kUsage) of `write_samples` for names of other formats.
+void check_sample_names(const SampleFiles& files);
 
 /// @}
 

@@ -45,9 +45,11 @@ struct TetMakingOptions {
   /// machine or the container has.
   std::size_t max_memory_bytes = 0;
 
-  /// Time limit for reading a CAD file, and whether its solids are glued (ReadOptions).
+  /// Time limit for reading a CAD file, whether its solids are glued, and the unit of a file that names none
+  /// (ReadOptions).
   double read_seconds = 60;
   bool glue = false;
+  LengthUnit unit = LengthUnit::kUnknown;
 };
 
 /// Cuts the solids of a model into tets. The model is a CAD file or a closed surface of triangles
@@ -63,13 +65,15 @@ struct TetMakingOptions {
 ///   cut into new triangles of even size, whose vertices lie on the given ones.
 ///
 /// Another program makes the tets (TetMaker), with files in a private folder that is removed afterwards. It
-/// is killed if the monitor is stopped or cancelled, and after `seconds`. TetMesh::warnings says what was
+/// is killed if the monitor is stopped or cancelled, and after `seconds`. The monitor hears of the model of a
+/// file as soon as it is read (Monitor::tell). TetMesh::warnings says what was
 /// mended and what failed before another way succeeded. With the same programs the result is always the same.
 ///
 /// Throws Error(kInput) for models that cannot be read, that are not closed, naming the places of the holes,
 /// or that cut through themselves, and if no program makes valid tets of them; Error(kLimit) for too many
 /// tets, too little time or memory; Error(kOutput) if files cannot be written; Error(kUsage) for options out
-/// of range; Error(kInterrupted).
+/// of range, and for a size that is larger than the model, or so small that no memory holds the tets;
+/// Error(kInterrupted).
 TetMesh make_tets(const std::filesystem::path& model, const TetMakingOptions& options = {},
                   const Monitor& monitor = {});
 

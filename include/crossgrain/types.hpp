@@ -25,6 +25,11 @@ struct Box {
   Vector3 high;
 };
 
+/// A unit of length: what the coordinates of a file mean that does not say so.
+enum class LengthUnit : int { kUnknown, kMicrometre, kMillimetre, kCentimetre, kMetre, kInch, kFoot };
+
+/// Returns the name that meshes and reports have: "mm"; "none" for kUnknown.
+const char* name_of(LengthUnit unit);
 /// What surface a face of a model lies on.
 enum class FaceKind : int {
   // Of a CAD file.
@@ -109,7 +114,7 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> inner_faces = {};
 
   /// Unit of the coordinates, such as "mm", and unit of the file, from which they were converted. Empty if
-  /// the file does not say.
+  /// the file does not say; the first may be set then.
   std::string unit = {};
   std::string file_unit = {};
 
@@ -156,7 +161,7 @@ struct TetMesh {
   std::vector<Edge> feature_edges = {};
   std::vector<Face> feature_faces = {};
 
-  /// As of a TriangleMesh: of tets made of a CAD file.
+  /// As of a TriangleMesh.
   std::string unit = {};
   std::string file_unit = {};
 

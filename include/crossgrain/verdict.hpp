@@ -27,7 +27,7 @@ enum class Verdict : std::uint8_t {
 /// Returns the name in report.json: "meshable", "not_meshable" or "undecided".
 const char* name_of(Verdict verdict);
 
-/// Returns the answer in short: "can be meshed locally", "cannot be meshed" or "undecided".
+/// Returns the answer in short: "hexahedra fit locally", "this field has no hexahedra" or "undecided".
 const char* words_of(Verdict verdict);
 
 /// Why a field is not meshable or undecided.
@@ -56,19 +56,22 @@ struct Answer {
     Verdict verdict{};              ///< kNotMeshable or kUndecided
     std::size_t count = 0;          ///< number of places with this fault; 0 if it is about no place
     Vector3 place{};                ///< the first or worst one, model units; only if there is one
-    std::string text;               ///< such as "a knife edge of 30 degrees"
+    std::string text;               ///< such as "the edge of 30 degrees between faces 3 and 5 is too sharp"
     Remedy remedy = Remedy::kNone;  ///< what to do next
     double remedy_number = 0;       ///< if `has_number`
   };
   Verdict verdict = Verdict::kUndecided;
   std::vector<Reason> reasons;  ///< those of the verdict first; empty if meshable
+  bool is_meshed = false;       ///< hexahedra were made of the field: their report tells what became of it
 };
 
 /// Returns the answer about the field of a report: that on tets if there is one, otherwise that on the grid.
 Answer answer_of(const SolveReport& report);
 
-/// Returns the answer in one line: "can be meshed locally (necessary, not sufficient)", "cannot be meshed,
-/// because ... at ...; next: ..." or "undecided, because ...; next: ...".
+/// Returns the answer in one line: "hexahedra fit locally (necessary, not sufficient)", "this field has no
+/// hexahedra at ...: ...; 'crossgrain hex' may still find a mesh; next: ..." or "undecided, because ...;
+/// next:
+/// ...". It is about the field, not about the part, of which another field may have hexahedra.
 std::string sentence_of(const Answer& answer);
 
 /// Returns the sentence with other words for the remedy of the first reason.

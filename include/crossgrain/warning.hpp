@@ -14,15 +14,19 @@ namespace crossgrain {
 /// What a warning is about.
 enum class WarningKind : int {
   // A file that is read.
-  kUnknownUnit,   ///< a CAD file names no unit
-  kMissingParts,  ///< parts of a CAD file could not be read
-  kLooseFaces,    ///< faces of a CAD file belong to no solid
-  kMissingFaces,  ///< faces of a CAD file could not be triangulated
-  kCurvedTets,    ///< tets of higher order were read as straight
-  kSkippedData,   ///< data of a VTK file are not known
+  kUnknownUnit,     ///< a CAD file names no unit
+  kMissingParts,    ///< parts of a CAD file could not be read
+  kLooseFaces,      ///< faces of a CAD file belong to no solid
+  kRepeatedBodies,  ///< faces and solids of a CAD file that are there twice, left out
+  kMissingFaces,    ///< faces of a CAD file could not be triangulated
+  kCurvedTets,      ///< tets of higher order were read as straight
+  kSkippedData,     ///< data of a VTK file are not known
 
   // Tets that are made.
   kTetMaker,  ///< they were made in another way than usual
+
+  // Hexahedra that are made.
+  kThinPart,  ///< few fit across most of the model
 
   // Tets.
   kRepeatedTets,      ///< duplicates, left out
@@ -42,6 +46,7 @@ enum class WarningKind : int {
   kOverlappingSolids,  ///< solids overlap
   kTouchingSolids,     ///< solids touch without shared triangles
   kEmptySolids,        ///< solids are too small to hold a cell
+  kCrossedInterfaces,  ///< hexahedra reach across faces between solids
   kCrowdedCorners,     ///< more than three creases meet
   kKnifeEdges,         ///< edges are too sharp for any frame
 

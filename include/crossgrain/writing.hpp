@@ -29,13 +29,18 @@ void write_tets(const TetMesh& mesh, const std::filesystem::path& path, const Mo
 /// early.
 void check_tets_output(const std::filesystem::path& path);
 
+/// Whether files for solvers may hold inverted hexahedra.
+enum class InvertedHexahedra { kRefused, kAllowed };
+
 /// Writes hexahedra in the format of the extension (docs/formats.md): VTK (.vtu) with their scaled Jacobian
 /// and region; Medit (.mesh), Gmsh 4.1 (.msh) or Abaqus and CalculiX (.inp) with regions and with the
-/// boundary by its tags. Vertices and hexahedra keep their order. The file appears complete or not at all.
-/// Throws Error(kUsage) for other extensions, and for a mesh with corners that are no vertices, with a region
-/// for some hexahedra only or with boundary faces that are no faces of hexahedra; Error(kOutput) and
-/// Error(kInterrupted).
-void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor = {});
+/// boundary by its tags. Vertices and hexahedra keep their order; the head of a partial mesh says that it is
+/// one. The file appears complete or not at all. Throws Error(kUsage) for other extensions; for a mesh with
+/// corners that are no vertices, with a region for some hexahedra only or with boundary faces that are no
+/// faces of hexahedra; and for inverted hexahedra in any format but .vtu unless they are allowed, since
+/// solvers give wrong results on them without a word. Error(kOutput) and Error(kInterrupted).
+void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor = {},
+                     InvertedHexahedra inverted = InvertedHexahedra::kRefused);
 
 /// Throws what `write_hexahedra` would if it could not write; leaves no trace. Call before making hexahedra
 /// to fail early.
@@ -47,14 +52,15 @@ void check_hexahedra_path(const std::filesystem::path& path);
 /// Error(kInterrupted).
 void write_map(const HexMap& map, const std::filesystem::path& path, const Monitor& monitor = {});
 
-/// Writes streamlines as polylines to a .vtu file (docs/streamlines.md), which ParaView opens. The file
-/// appears complete or not at all. `solve` is SolveReport::solve of their field: lines in its folder must
-/// name it. Throws Error(kUsage) for a line whose tangents are not as many as its points or whose seed is not
-/// among them, Error(kOutput) and Error(kInterrupted).
+/// Writes streamlines as polylines in the format of the extension (docs/streamlines.md): VTK (.vtu, or .vtp
+/// as PolyData) with all that is known of them, or the bare lines as OBJ (.obj). The file appears complete or
+/// not at all. `solve` is SolveReport::solve of their field: lines in its folder must name it. Throws
+/// Error(kUsage) for other extensions and for a line whose tangents are not as many as its points or whose
+/// seed is not among them, Error(kOutput) and Error(kInterrupted).
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
                        const Monitor& monitor = {}, const std::string& solve = {});
 
-/// Throws Error(kOutput) if `write_streamlines` could not write; leaves no trace. Call before tracing to fail
+/// Throws what `write_streamlines` would if it could not write; leaves no trace. Call before tracing to fail
 /// early.
 void check_streamline_file(const std::filesystem::path& path);
 

@@ -47,7 +47,7 @@ class _Bar:
         if progress.levels:
             self.bar.total = progress.levels
             self.bar.n = max(self.bar.n, progress.level - 1)
-        if progress.phase in ("analysis", "tets", "repair", "hexahedra", "write"):
+        if progress.phase in ("analysis", "tets", "repair", "map", "hexahedra", "smooth", "write"):
             self.bar.n = self.bar.total
         self.bar.set_description(progress.phase, refresh=False)
         self.bar.set_postfix(cells=progress.cells, sweep=progress.sweep, refresh=False)

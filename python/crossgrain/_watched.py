@@ -17,7 +17,8 @@ from ._library import library, made
 class Progress:
     """What a computation is at."""
 
-    PHASES = ("read", "grid", "solve", "analysis", "tets", "write", "make tets", "repair", "hexahedra")
+    PHASES = ("read", "grid", "solve", "analysis", "tets", "write", "make tets", "repair", "map", "hexahedra",
+              "smooth")
 
     def __init__(self, content: Any):
         self.phase: str = self.PHASES[content.phase]
@@ -27,9 +28,12 @@ class Progress:
         self.sweep: int = content.sweep
         self.cells: int = content.cells
         self.energy: float = content.energy
-        # Of a search for hexahedra: number of the attempt, from 1, 0 outside of one; hexahedra of the best
-        # mesh so far, and whether they fill the model.
+        # What is done of the phase, from 0 to 1; negative if it is not known.
+        self.share: float = content.share
+        # Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; how many there
+        # are at most, as far as known; hexahedra of the best mesh so far, and whether they fill the model.
         self.attempt: int = content.attempt
+        self.attempts: int = content.attempts
         self.hexahedra: int = content.hexahedra
         self.is_whole: bool = bool(content.is_whole)
 

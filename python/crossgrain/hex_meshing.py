@@ -45,9 +45,9 @@ def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builti
     field, maps it to the unit grid and pulls its cells back (docs/hexahedra.md). Where that does not fill the
     model, tets of other sizes are tried.
 
-    The model is a file (STEP, IGES, BREP; STL, OBJ, PLY, OFF; tets in Medit, Gmsh, VTK), two arrays (points
-    (n, 3), and triangles (m, 3) or tets (m, 4)), a mesh of meshio or trimesh, a `Surface` or a `TetMesh`.
-    Surfaces must be closed; tets are made by gmsh or Netgen.
+    The model is a file (STEP, IGES, BREP, FCStd; STL, OBJ, PLY, OFF, 3MF; tets in Medit, Gmsh, VTK), two
+    arrays (points (n, 3), and triangles (m, 3) or tets (m, 4)), a mesh of meshio or trimesh, a `Surface` or a
+    `TetMesh`. Surfaces must be closed; tets are made by gmsh or Netgen.
 
     size:
         edge of the hexahedra, in model units

@@ -49,7 +49,8 @@ class Surface:
 
     ``faces`` and ``solids`` are one number per triangle: the face of the CAD model, or tag, that it belongs
     to, and the solid that it bounds; triangles point out of their solid, and a face between two solids is
-    present twice. ``inner_faces`` are triangles inside a solid whose normal frames should follow.
+    present twice. ``inner_faces`` are triangles inside a solid whose normal frames should follow. ``unit`` is
+    that of the coordinates, such as "mm": a label, no number changes.
     """
 
     path: str = ""
@@ -57,7 +58,8 @@ class Surface:
     read_seconds: float = 0.0
 
     def __init__(self, vertices: Any, triangles: Any, *, faces: Any = None, solids: Any = None,
-                 corner_normals: Any = None, creases: Sequence[Crease] = (), inner_faces: Any = None):
+                 corner_normals: Any = None, creases: Sequence[Crease] = (), inner_faces: Any = None,
+                 unit: str = ""):
         points = numbers(vertices, "vertices", 3)
         corners = indices(triangles, "triangles", 3)
         self._handle = made("mesh", "mesh_new", address(points), len(points), address(corners), len(corners))
@@ -77,6 +79,7 @@ class Surface:
         if inner_faces is not None:
             its_faces = indices(inner_faces, "inner_faces", 3)
             call("mesh_add_inner_faces", self._handle, address(its_faces), len(its_faces))
+        call("mesh_set_unit", self._handle, unit.encode())
 
     @classmethod
     def _of(cls, handle: Handle, path: str = "", read_seconds: float = 0.0) -> "Surface":
@@ -135,7 +138,7 @@ class Surface:
 
     @property
     def unit(self) -> str:
-        """Unit of the coordinates, such as "mm"; empty if the file does not say."""
+        """Unit of the coordinates, such as "mm"; empty if neither the file nor the caller says."""
         return library.crossgrain_mesh_unit(self._handle).decode()
 
     @property
@@ -150,7 +153,7 @@ class TetMesh:
 
     ``regions`` is one number per tet. Frames follow feature edges and the normals of feature faces; edges
     that are not ``stated`` to be features may be any curve of the meshed model, and count only where the
-    surface is sharp.
+    surface is sharp. ``unit`` is that of the coordinates, such as "mm": a label, no number changes.
     """
 
     path: str = ""
@@ -159,7 +162,7 @@ class TetMesh:
 
     def __init__(self, points: Any, cells: Any, *, regions: Any = None, feature_edges: Any = None,
                  edge_tags: Any = None, edges_are_stated: bool = True, feature_faces: Any = None,
-                 face_tags: Any = None, tags_options: Optional[TetTagOptions] = None):
+                 face_tags: Any = None, unit: str = "", tags_options: Optional[TetTagOptions] = None):
         its_points, tets = numbers(points, "points", 3), indices(cells, "cells", 4)
         its_regions = tags(regions, "regions", len(tets))
         mesh = made("tets", "tets_new", address(its_points), len(its_points), address(tets), len(tets),
@@ -173,6 +176,7 @@ class TetMesh:
             faces = indices(feature_faces, "feature_faces", 3)
             its_tags = tags(face_tags, "face_tags", len(faces))
             call("tets_add_feature_faces", mesh, address(faces), address(its_tags), len(faces))
+        call("tets_set_unit", mesh, unit.encode())
         self._prepare(mesh, tags_options)
 
     def _prepare(self, mesh: Handle, options: Optional[TetTagOptions]) -> None:
@@ -289,7 +293,7 @@ class TetMesh:
 
 
 def read_surface(path: Any, options: Optional[ReadOptions] = None) -> Surface:
-    """Reads a surface (STL, OBJ, PLY, OFF) or a CAD file (STEP, IGES, BREP).
+    """Reads a surface (STL, OBJ, PLY, OFF, 3MF) or a CAD file (STEP, IGES, BREP, FCStd), also packed by gzip.
 
     Raises InputError naming the file, the place in it and the remedy.
     """
@@ -303,13 +307,14 @@ def _read_surface(path: Any, options: Optional[Handle]) -> Surface:
     return Surface._of(handle, os.fsdecode(encoded), time.perf_counter() - start)
 
 
-def read_tets(path: Any, *, max_memory_bytes: int = 0,
+def read_tets(path: Any, *, max_memory_bytes: int = 0, unit: str = "",
               tags_options: Optional[TetTagOptions] = None) -> TetMesh:
-    """Reads a tet mesh (Medit, Gmsh, VTK) and prepares it for a field. Raises InputError like
-    `read_surface`."""
+    """Reads a tet mesh (Medit, Gmsh, VTK), also packed by gzip, and prepares it for a field. ``unit`` is
+    that of its coordinates, which no format names. Raises InputError like `read_surface`."""
     start = time.perf_counter()
     encoded, most = path_bytes(path), integer(max_memory_bytes, "max_memory_bytes", 0, 2**63 - 1)
     mesh = watched(lambda monitor: made("tets", "tets_read", encoded, most, monitor.handle))
+    call("tets_set_unit", mesh, unit.encode())
     tets = TetMesh.__new__(TetMesh)
     tets.path = os.fsdecode(encoded)
     tets._prepare(mesh, tags_options)
@@ -324,9 +329,9 @@ def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None
     """Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen, and prepares them
     for a field.
 
-    The model is a file (STEP, IGES, BREP; STL, OBJ, PLY, OFF), two arrays (vertices (n, 3) and triangles
-    (m, 3)), a mesh of meshio or trimesh, or a `Surface`. Faces and edges of the model are tagged: of CAD
-    files by their numbers, of surfaces between creases.
+    The model is a file (STEP, IGES, BREP, FCStd; STL, OBJ, PLY, OFF, 3MF), two arrays (vertices (n, 3) and
+    triangles (m, 3)), a mesh of meshio or trimesh, or a `Surface`. Faces and edges of the model are tagged:
+    of CAD files by their numbers, of surfaces between creases.
 
     size:
         largest edge of the tets, in model units

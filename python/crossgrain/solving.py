@@ -44,8 +44,8 @@ def solve(model: Any, triangles: Any = None, *, resolution: Optional[int] = None
     """Returns the octahedral frame field inside a solid: smooth, with an axis along the normal of the surface
     (arXiv 2309.13477).
 
-    The model is a file (STL, OBJ, PLY, OFF; STEP, IGES, BREP), two arrays (vertices (n, 3) and triangles
-    (m, 3)), a mesh of meshio or trimesh, or a `Surface`. A model of tets (Medit, Gmsh, VTK, meshio,
+    The model is a file (STL, OBJ, PLY, OFF, 3MF; STEP, IGES, BREP, FCStd), two arrays (vertices (n, 3) and
+    triangles (m, 3)), a mesh of meshio or trimesh, or a `Surface`. A model of tets (Medit, Gmsh, VTK, meshio,
     `TetMesh`) is solved as by `solve_onto`.
 
     resolution:

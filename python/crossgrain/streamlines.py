@@ -77,8 +77,9 @@ class Streamlines:
         return f"<crossgrain.Streamlines: {len(self.lines)} lines>"
 
     def write(self, path: Any) -> None:
-        """Writes the lines as polylines to a .vtu file, which ParaView opens (docs/streamlines.md). In the
-        folder of their field it is ``streamlines.vtu``; write the field first."""
+        """Writes the lines as polylines in the format of the extension (docs/streamlines.md): ``.vtu`` or
+        ``.vtp``, which ParaView opens, or ``.obj``. In the folder of their field it is ``streamlines.vtu``;
+        write the field first."""
         encoded = path_bytes(path)
         # All files of a result name their solve.
         solve = "" if self._field is None else self._field.report.get("solve", "")

@@ -197,7 +197,7 @@ class HexMesh:
     def reason(self) -> str:
         """Why it is not all-hex, with a place, and what to try; empty if it is."""
         its_report = self.report["hexahedra"]
-        return "; try ".join(filter(None, [its_report.get("reason", ""), its_report.get("remedy", "")]))
+        return "; ".join(filter(None, [its_report.get("reason", ""), its_report.get("next", "")]))
 
     @cached_property
     def points(self) -> np.ndarray:
@@ -254,12 +254,14 @@ class HexMesh:
         """The repaired field on tets that the hexahedra follow; ``field.grid`` is the one on the grid."""
         return TetField(made("tet_field", "hexahedra_field", self._handle), *self._model)
 
-    def write(self, path: Any) -> None:
+    def write(self, path: Any, *, inverted: bool = False) -> None:
         """Writes the mesh in the format of the extension (docs/formats.md): .vtu for ParaView, .mesh for
         Medit, .msh for gmsh, .inp for CalculiX and Abaqus. The file appears complete or not at all. Raises
-        OutputError, UsageError for other extensions."""
+        OutputError; UsageError for other extensions, and for inverted hexahedra in any but .vtu unless
+        `inverted`, since solvers give wrong results on them without a word."""
         encoded = path_bytes(path)
-        watched(lambda monitor: call("hexahedra_write", self._handle, encoded, monitor.handle))
+        watched(lambda monitor: call("hexahedra_write", self._handle, encoded, int(inverted),
+                                     monitor.handle))
 
     def write_folder(self, folder: Any, *, page: Optional[bool] = None,
                      options: Optional[OutputOptions] = None, **changes: Any) -> Dict[str, Any]:

@@ -74,13 +74,17 @@ constexpr Wording kWordings[] = {
     {Remedy::kAllowTetTime, "allow_tet_time", "take larger tets, or allow more time"},
     {Remedy::kChangeTetSize, "change_tet_size", "take tets of another size"},
     {Remedy::kTakeLargerTets, "take_larger_tets", "take larger tets"},
+    {Remedy::kGiveTetSize, "give_tet_size", "give another size of tets"},
     {Remedy::kFreeTemporarySpace, "free_temporary_space",
      "free some space there, or name another folder in TMPDIR"},
+    {Remedy::kGiveHexSize, "give_hex_size", "give another size of hexahedra"},
+    {Remedy::kTakeLargerHexahedra, "take_larger_hexahedra", "take larger hexahedra"},
     {Remedy::kTakeSmallerHexahedra, "take_smaller_hexahedra", "take smaller hexahedra"},
     {Remedy::kRaiseResolution, "raise_resolution", "raise the resolution, or take smaller cells"},
     {Remedy::kLowerResolution, "lower_resolution", "lower the resolution, or take larger cells"},
     {Remedy::kUseLessMemory, "use_less_memory",
      "lower the resolution, take larger cells or allow more memory"},
+    {Remedy::kGiveCellSize, "give_cell_size", "give another size of cells"},
     {Remedy::kTurnView, "turn_view", "choose another view or cut"},
     {Remedy::kRoundEdge, "round_edge", "give the edge a fillet or a chamfer"},
     {Remedy::kCutCorner, "cut_corner", "cut the corner off, or end the face that runs out in it"},
@@ -129,7 +133,7 @@ const char* words_of(Remedy remedy) {
 
 std::string words_of(Remedy remedy, double number) {
   if (remedy == Remedy::kUseResolution) return fmt::format("use a resolution of {:.0f}", number);
-  if (remedy == Remedy::kUseEdgeLength) return fmt::format("mesh it with edges of {:.2g}", number);
+  if (remedy == Remedy::kUseEdgeLength) return fmt::format("mesh it with edges of {:.3g}", number);
   return words_of(remedy);
 }
 

@@ -10,20 +10,20 @@
 namespace crossgrain {
 
 const char* name_of(Phase phase) {
-  constexpr std::array kNames{"read",  "grid",      "solve",  "analysis", "tets",
-                              "write", "make tets", "repair", "hexahedra"};
-  return name_among<Phase::kHexahedra>(kNames, phase);
+  constexpr std::array kNames{"read",      "grid",   "solve", "analysis",  "tets",  "write",
+                              "make tets", "repair", "map",   "hexahedra", "smooth"};
+  return name_among<Phase::kSmooth>(kNames, phase);
 }
 
 Monitor::Monitor(const Monitor& whole, std::function<void(Progress&)> add)
-    : may_be_stopped_(whole.may_be_stopped()),
-      whole_(&whole),
+    : whole_(&whole),
       on_progress_([&whole, add = std::move(add)](const Progress& progress) {
         Progress with_more = progress;
         add(with_more);
         whole.report(with_more);
       }),
-      on_expectation_([&whole](const Expectation& expectation) { whole.expect(expectation); }) {}
+      on_expectation_([&whole](const Expectation& expectation) { whole.expect(expectation); }),
+      on_model_([&whole](const ModelSummary& model) { whole.tell(model); }) {}
 
 void Monitor::check() const {
   if (cancelled()) throw Error(ErrorKind::kInterrupted, "interrupted");

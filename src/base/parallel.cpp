@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -367,6 +368,17 @@ WatchedLoops::~WatchedLoops() {
 
 void check_watched() {
   if (t_watching != nullptr) t_watching->check();
+}
+
+void WatchedLoops::tell(Phase phase, double share) const {
+  if (std::this_thread::get_id() != thread_) return;
+  Progress progress{phase, 0, 0, 0, std::numeric_limits<double>::quiet_NaN()};
+  progress.share = share;
+  monitor_.report(progress);
+}
+
+void tell_watched(Phase phase, double share) {
+  if (t_watching != nullptr) t_watching->tell(phase, share);
 }
 
 void run_within_limit(const std::function<void()>& work) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numeric>
 #include <span>
+#include <thread>
 #include <vector>
 
 #include "base/interface.hpp"
@@ -73,15 +74,23 @@ class WatchedLoops {
 
   void check() const { stops_ == Stops::kHeeded ? monitor_.check_stop() : monitor_.check(); }
 
+  /// Tells the monitor's listener, which hears only the thread that made this object.
+  void tell(Phase phase, double share) const;
+
  private:
   const Monitor& monitor_;
   const Stops stops_;
+  const std::thread::id thread_ = std::this_thread::get_id();
   const WatchedLoops* const before_;
 };
 
 /// Queries the monitor of this thread's innermost WatchedLoops, if there is one: for long loops that are not
 /// parallel.
 void check_watched();
+
+/// Tells the monitor of this thread's innermost WatchedLoops, if there is one, which share of a phase is
+/// done. Without effect on threads that only help with a loop.
+void tell_watched(Phase phase, double share);
 
 /// Calls check_watched at every 2^16-th pass, for loops of short steps.
 class Checkpoint {

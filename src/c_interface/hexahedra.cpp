@@ -130,9 +130,11 @@ crossgrain_status crossgrain_hexahedra_report(const crossgrain_hexahedra* hexahe
 }
 
 crossgrain_status crossgrain_hexahedra_write(const crossgrain_hexahedra* hexahedra, const char* path,
-                                             crossgrain_monitor* monitor, crossgrain_error** error) {
+                                             int inverted, crossgrain_monitor* monitor,
+                                             crossgrain_error** error) {
   return guarded(error, [&] {
-    write_hexahedra(given(hexahedra, "hexahedra").made.mesh, &given(path, "path"), monitor_of(monitor));
+    write_hexahedra(given(hexahedra, "hexahedra").made.mesh, &given(path, "path"), monitor_of(monitor),
+                    inverted != 0 ? InvertedHexahedra::kAllowed : InvertedHexahedra::kRefused);
   });
 }
 

@@ -136,6 +136,11 @@ crossgrain_status crossgrain_mesh_add_inner_faces(crossgrain_mesh* mesh, const u
   });
 }
 
+crossgrain_status crossgrain_mesh_set_unit(crossgrain_mesh* mesh, const char* unit,
+                                           crossgrain_error** error) {
+  return guarded(error, [&] { given(mesh, "mesh").mesh.unit = &given(unit, "unit"); });
+}
+
 size_t crossgrain_mesh_vertex_count(const crossgrain_mesh* mesh) {
   return mesh->mesh.vertices.size();
 }
@@ -199,6 +204,11 @@ crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes
     const ReadLimits limits(monitor_of(monitor), max_memory_bytes);
     return new crossgrain_tets{read_tets(&given(path, "path"))};
   });
+}
+
+crossgrain_status crossgrain_tets_set_unit(crossgrain_tets* tets, const char* unit,
+                                           crossgrain_error** error) {
+  return guarded(error, [&] { given(tets, "tets").mesh.unit = &given(unit, "unit"); });
 }
 
 crossgrain_status crossgrain_tets_make(const char* path, const crossgrain_options* options,

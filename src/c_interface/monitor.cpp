@@ -7,7 +7,7 @@ namespace crossgrain {
 namespace {
 
 static_assert(static_cast<int>(Phase::kRepair) == CROSSGRAIN_REPAIRING);
-static_assert(static_cast<int>(Phase::kHexahedra) == CROSSGRAIN_HEXAHEDRA);
+static_assert(static_cast<int>(Phase::kSmooth) == CROSSGRAIN_SMOOTHING);
 
 crossgrain_progress passed_on(const Progress& progress) {
   crossgrain_progress result{};
@@ -18,7 +18,9 @@ crossgrain_progress passed_on(const Progress& progress) {
   result.sweep = progress.sweep;
   result.cells = progress.cells;
   result.energy = progress.energy;
+  result.share = progress.share;
   result.attempt = progress.attempt;
+  result.attempts = progress.attempts;
   result.hexahedra = progress.hexahedra;
   result.is_whole = progress.is_whole ? 1 : 0;
   return result;

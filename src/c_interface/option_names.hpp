@@ -35,12 +35,12 @@ void for_each_inner_option(const char* name, Options& options, const Visit& visi
 
 CROSSGRAIN_OPTIONS(SolveOptions, degree, resolution, cell_size, threads, max_memory_bytes, unite_solids, seed,
                    crease_angle_deg, boundary, for_page)
-CROSSGRAIN_OPTIONS(ReadOptions, resolution, cell_size, facet_angle_deg, crease_angle_deg, glue, read_seconds,
-                   max_memory_bytes)
+CROSSGRAIN_OPTIONS(ReadOptions, resolution, cell_size, facet_angle_deg, crease_angle_deg, glue, unit,
+                   read_seconds, max_memory_bytes)
 CROSSGRAIN_OPTIONS(TetTagOptions, keep_all)
 CROSSGRAIN_OPTIONS(MapPreparationOptions, unite_solids)
 CROSSGRAIN_OPTIONS(TetMakingOptions, size, edges, maker, edges_per_circle, crease_angle_deg, seconds,
-                   max_memory_bytes, read_seconds, glue)
+                   max_memory_bytes, read_seconds, glue, unit)
 CROSSGRAIN_OPTIONS(RepairOptions, moves_vertices)
 CROSSGRAIN_OPTIONS(HexOptions, size, cells, threads)
 
@@ -52,7 +52,7 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   for_each_inner_option("solve", options.solve, visit);
 }
 
-CROSSGRAIN_OPTIONS(OutputChoices, level, clip, formats, hex_size, foreign_files, page)
+CROSSGRAIN_OPTIONS(OutputChoices, level, clip, formats, hex_size, inverted_hexahedra, foreign_files, page)
 CROSSGRAIN_OPTIONS(StreamlineOptions, axes, spacing_sides)
 CROSSGRAIN_OPTIONS(PictureOptions, size, view, up_axis, colour, range, cut, frames, without, background,
                    quality_below)

@@ -149,7 +149,7 @@ std::optional<CadRequest> cad_request_of(const std::vector<std::string>& argumen
       parse_number(arguments[6], options.crease_angle_deg) && parse_number(arguments[7], glue) &&
       parse_number(arguments[8], options.glue_gap) && parse_number(arguments[9], options.max_memory_bytes) &&
       parse_number(arguments[10], with_solids);
-  if (!sound || format < 0 || format > static_cast<int>(CadFormat::kBrep)) return std::nullopt;
+  if (!sound || format < 0 || format > static_cast<int>(CadFormat::kFreeCad)) return std::nullopt;
   request.format = static_cast<CadFormat>(format);
   options.glue = glue != 0;
   request.with_solids = with_solids != 0;

@@ -19,7 +19,8 @@
 
 namespace crossgrain {
 
-enum class CadFormat { kStep, kIges, kBrep };
+/// kFreeCad is a document to the library; the program gets its shapes (cad_reading/placed_breps.hpp).
+enum class CadFormat { kStep, kIges, kBrep, kFreeCad };
 
 struct CadRequest {
   std::string path;

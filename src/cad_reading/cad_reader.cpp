@@ -9,18 +9,22 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/system_memory.hpp"
 #include "cad_reading/cad_checks.hpp"
 #include "cad_reading/cad_messages.hpp"
+#include "cad_reading/freecad_document.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/features.hpp"
 #include "crossgrain/version.hpp"
 #include "process/answer_stream.hpp"
 #include "process/helper_process.hpp"
 #include "process/helper_program.hpp"
+#include "process/private_folder.hpp"
 
 namespace crossgrain {
 namespace {
@@ -126,8 +130,32 @@ void check_format(const InputFile& file, CadFormat format) {
       return check_iges_file(file);
     case CadFormat::kBrep:
       return check_brep_file(file);
+    case CadFormat::kFreeCad:
+      return;  // its shapes have checksums in the archive
   }
 }
+
+/// Where the program finds what it is to read: the file itself, or bytes that no file has, as one of its own.
+class ReadPlace {
+ public:
+  explicit ReadPlace(const InputFile& file) : path_(file.name()) {
+    if (!file.is_on_disk()) write(file.bytes());
+  }
+  explicit ReadPlace(std::string_view bytes) { write(bytes); }
+
+  const std::string& path() const { return path_; }
+
+ private:
+  void write(std::string_view bytes) {
+    constexpr const char* kName = "model";
+    folder_.emplace();
+    folder_->write(kName, bytes);
+    path_ = (folder_->path() / kName).string();
+  }
+
+  std::optional<PrivateFolder> folder_;
+  std::string path_;
+};
 
 }  // namespace
 
@@ -135,7 +163,14 @@ CadModel read_cad(const InputFile& file, CadFormat format, const CadReading& opt
                   CadContent content) {
   check_format(file, format);
   check_options(options);
-  CadRequest request{file.name(), format, options, ::getpid(), content == CadContent::kWithSolids};
+  std::vector<Warning> warnings;
+  const ReadPlace place = [&] {
+    if (format != CadFormat::kFreeCad) return ReadPlace(file);
+    FreeCadShapes shapes = read_freecad_document(file);
+    warnings = std::move(shapes.warnings);
+    return ReadPlace(shapes.placed_breps);
+  }();
+  CadRequest request{place.path(), format, options, ::getpid(), content == CadContent::kWithSolids};
   request.options.max_memory_bytes = memory_for_helper(file, options);
   const HelperRun run{cad_program(file, options),
                       arguments_of(request),
@@ -147,7 +182,9 @@ CadModel read_cad(const InputFile& file, CadFormat format, const CadReading& opt
   if (!answer) fail_input(file, fault_of(run, outcome));
   if (answer->end == CadEnd::kOutOfMemory) fail_input(file, out_of_memory(request.options.max_memory_bytes));
   if (answer->end == CadEnd::kFault) fail_input(file, answer->fault);
-  for (Warning& warning : answer->mesh.warnings) warning.file = file.name();
+  warnings.insert(warnings.end(), answer->mesh.warnings.begin(), answer->mesh.warnings.end());
+  for (Warning& warning : warnings) warning.file = file.name();
+  answer->mesh.warnings = std::move(warnings);
   return {std::move(answer->mesh), std::move(answer->solids)};
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "crossgrain/message.hpp"
 
@@ -19,19 +20,24 @@ class InputFile {
   /// Reads a file. Throws Error(kInput) if it is missing, not a regular file, not readable or empty.
   explicit InputFile(const std::filesystem::path& path);
 
+  /// Bytes that no file has as they are: what comes out of an archive, named like it.
+  InputFile(std::string name, std::unique_ptr<char[]> bytes, std::size_t size)
+      : name_(std::move(name)), bytes_(std::move(bytes)), size_(size), is_on_disk_(false) {}
+
   /// Reads standard input to its end. Errors call it "standard input".
   static InputFile standard_input();
 
   std::string_view bytes() const { return {bytes_.get(), size_}; }
   const std::string& name() const { return name_; }
 
- private:
-  InputFile(std::string name, std::unique_ptr<char[]> bytes, std::size_t size)
-      : name_(std::move(name)), bytes_(std::move(bytes)), size_(size) {}
+  /// Whether the file of this name has these bytes.
+  bool is_on_disk() const { return is_on_disk_; }
 
+ private:
   std::string name_;
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;
+  bool is_on_disk_ = true;
 };
 
 /// A place in a file: a line of text, or a numbered element of a binary file ("triangle 17"). Lines count

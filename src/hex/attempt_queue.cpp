@@ -1,31 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hex/attempt_queue.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
+#include "hex/hex_report.hpp"
 
 namespace crossgrain {
 
 AttemptQueue::AttemptQueue(double most_work, double least_quality, const Monitor& monitor)
     : most_work_(most_work),
       least_quality_(least_quality),
+      may_be_stopped_(monitor.may_be_stopped()),
       monitor_(monitor, [this](Progress& progress) { tell_more(progress); }) {}
 
 void AttemptQueue::tell_more(Progress& progress) const {
-  progress.attempt = attempts_.size() + 1;
+  progress.attempt = at_meshes_ + 1;
+  progress.attempts = std::max(expected_, progress.attempt);
   if (!has_mesh()) return;
   progress.hexahedra = best_->made->mesh.hexahedra.size();
   progress.is_whole = best_->made->are_complete();
 }
 
 void AttemptQueue::run() {
-  while (!is_done()) {
-    AttemptKind* const next = due();
-    if (next == nullptr) return;
+  AttemptKind* next = due();
+  while (next != nullptr) {
+    expected_ = at_meshes_ + most_attempts();
     make(*next);
+    next = is_done() || is_stopped_ ? nullptr : due();
+    tell_ends(next);
   }
+}
+
+std::size_t AttemptQueue::most_attempts() const {
+  std::size_t most = 0;
+  for (const auto& kind : kinds_) most += kind->left(*this);
+  return most;
+}
+
+void AttemptQueue::tell_ends(const AttemptKind* next) {
+  if (on_end_ && !ends_.empty()) {
+    if (next != nullptr) ends_.back().next = next->plan(*this);
+    for (HexAttemptEnd& end : ends_) {
+      end.attempts = at_meshes_ + (next != nullptr ? most_attempts() : 0);
+      on_end_(end);
+    }
+  }
+  ends_.clear();
 }
 
 AttemptKind* AttemptQueue::due() const {
@@ -44,19 +67,54 @@ AttemptKind* AttemptQueue::due() const {
 }
 
 void AttemptQueue::make(AttemptKind& kind) {
-  monitor_.check_stop();
   Stopwatch stopwatch;
   const std::size_t before = attempts_.size();
   try {
+    monitor_.check_stop();
     for (HexCandidate& candidate : kind.make(*this)) add(kind, std::move(candidate));
   } catch (const Error& error) {
-    if (!has_mesh() || error.kind() == ErrorKind::kInterrupted) throw;
-    HexAttempt& failed = attempts_.emplace_back();
-    failed.kind = kind.name();
-    failed.failure = error.text();
-    failed.seconds = stopwatch.restart();
+    if (!has_mesh()) throw;
+    if (error.kind() == ErrorKind::kInterrupted && !is_ended_by_stop()) throw;
+    add_failure(kind, error, stopwatch.restart());
   }
   for (std::size_t k = before; k < attempts_.size(); ++k) work_ += attempts_[k].work;
+}
+
+/// Whether a stop ends the search with the mesh that there is.
+bool AttemptQueue::is_ended_by_stop() {
+  is_stopped_ =
+      may_be_stopped_ && monitor_.stopped() && !monitor_.cancelled() && !best_->made->mesh.hexahedra.empty();
+  return is_stopped_;
+}
+
+void AttemptQueue::add_failure(const AttemptKind& kind, const Error& error, double seconds) {
+  HexAttempt& failed = attempts_.emplace_back();
+  failed.kind = kind.name();
+  failed.failure = error.text();
+  failed.seconds = seconds;
+  add_end(failed, error.text());
+}
+
+void AttemptQueue::add_end(const HexAttempt& attempt, std::string text) {
+  HexAttemptEnd& end = ends_.emplace_back();
+  end.attempt = ++at_meshes_;
+  end.outcome = attempt.outcome;
+  end.hexahedra = attempt.hexahedra;
+  end.text = std::move(text);
+  end.seconds = attempt.seconds;
+}
+
+bool AttemptQueue::is_up_to_the_model() const {
+  // One more than a repair in vain, which may be chance.
+  constexpr std::size_t kFewestRounds = 2;
+  const auto& rounds = unmended_of_rounds_;
+  if (rounds.size() != rounds_ || rounds_ < kFewestRounds) return false;
+  return std::any_of(rounds.front().begin(), rounds.front().end(), [&](const Vector3& corner) {
+    // Vertices of a model are vertices of all its tets, with the same coordinates.
+    return std::all_of(rounds.begin(), rounds.end(), [&](const std::vector<Vector3>& of_round) {
+      return std::find(of_round.begin(), of_round.end(), corner) != of_round.end();
+    });
+  });
 }
 
 void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
@@ -71,7 +129,12 @@ void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   seconds_.smoothing += seconds.smoothing;
   if (attempt.seconds == 0) attempt.seconds = seconds.sum();
   candidate.number = attempts_.size();
+  if (!candidate.unmended.empty()) {
+    unmended_of_rounds_.resize(rounds_);
+    unmended_of_rounds_.back() = candidate.unmended;
+  }
   attempts_.push_back(attempt);
+  if (kind.makes_meshes()) add_end(attempt, end_of(candidate, least_quality_));
   if (candidate.made || candidate.followed)
     keep_if_better(std::make_shared<const HexCandidate>(std::move(candidate)));
 }

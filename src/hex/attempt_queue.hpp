@@ -3,12 +3,16 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/interface.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/hex_report.hpp"
+#include "crossgrain/hexahedra.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "hex/hex_candidate.hpp"
@@ -41,6 +45,15 @@ class AttemptKind : public Interface {
   /// is due next has changed afterwards, even after an exception.
   virtual std::vector<HexCandidate> make(AttemptQueue& queue) = 0;
 
+  /// What the next attempt tries, for the user: "tets of 2.1".
+  virtual std::string plan(const AttemptQueue& queue) const = 0;
+
+  /// How many attempts at a mesh may still come, as far as that is known.
+  virtual std::size_t left(const AttemptQueue& queue) const = 0;
+
+  /// Whether its attempts are at meshes, not only at what others start from.
+  virtual bool makes_meshes() const { return true; }
+
   /// Whether its attempts are made without any work left if there is no mesh: they give one from what is
   /// there.
   virtual bool is_last_resort() const { return false; }
@@ -65,11 +78,22 @@ class AttemptQueue {
   void add(std::unique_ptr<AttemptKind> kind) { kinds_.push_back(std::move(kind)); }
 
   /// Makes attempts until the end. An attempt that fails by an Error is reported, and others go on; but it is
-  /// thrown if there is no mesh yet, and kInterrupted always.
+  /// thrown if there is no mesh yet, and kInterrupted always but after a stop that the monitor allows: that
+  /// is the end, if there is a mesh.
   void run();
+
+  /// Calls a listener at the end of each attempt at a mesh.
+  void hear_ends(std::function<void(const HexAttemptEnd&)> listener) { on_end_ = std::move(listener); }
+
+  /// Sets how many hexahedra are expected, for the report.
+  void expect(double hexahedra) { expected_hexahedra_ = hexahedra; }
+  double expected_hexahedra() const { return expected_hexahedra_; }
 
   /// Begins a round with a field.
   void start_on(StartingField field);
+
+  /// Whether a stop has ended it.
+  bool is_stopped() const { return is_stopped_; }
 
   /// The number of rounds, those among them whose tets failed; the field of the last one, if it has one.
   std::size_t rounds() const { return rounds_; }
@@ -81,6 +105,10 @@ class AttemptQueue {
 
   /// Number of the best attempt in attempts().
   std::size_t best_attempt() const { return best_ ? best_->number : 0; }
+
+  /// Whether other tets cannot help, as far as is known: in each of several rounds hexahedra meet by no
+  /// repair at one and the same corner of the model (HexCandidate::unmended).
+  bool is_up_to_the_model() const;
 
   /// All attempts, in the order in which they were made.
   const std::vector<HexAttempt>& attempts() const { return attempts_; }
@@ -98,18 +126,30 @@ class AttemptQueue {
   AttemptKind* due() const;
   void make(AttemptKind& kind);
   void add(const AttemptKind& kind, HexCandidate candidate);
+  void add_failure(const AttemptKind& kind, const Error& error, double seconds);
+  void add_end(const HexAttempt& attempt, std::string text);
+  void tell_ends(const AttemptKind* next);
+  bool is_ended_by_stop();
+  std::size_t most_attempts() const;
   void keep_if_better(const std::shared_ptr<const HexCandidate>& candidate);
   bool has_mesh() const { return best_ && best_->made; }
   bool is_done() const { return best_ && is_good(*best_, least_quality_); }
   void tell_more(Progress& progress) const;
 
   double most_work_, least_quality_, work_ = 0;
+  bool may_be_stopped_, is_stopped_ = false;
   Monitor monitor_;
+  std::function<void(const HexAttemptEnd&)> on_end_;
+  std::size_t at_meshes_ = 0;  ///< attempts that were made
+  std::size_t expected_ = 0;   ///< attempts at meshes in all
+  double expected_hexahedra_ = 0;
+  std::vector<HexAttemptEnd> ends_;  ///< that are not told yet
   std::vector<std::unique_ptr<AttemptKind>> kinds_;
   std::size_t rounds_ = 0;
   std::optional<StartingField> start_;
   std::shared_ptr<const HexCandidate> best_;
   std::vector<std::shared_ptr<const HexCandidate>> of_rounds_;
+  std::vector<std::vector<Vector3>> unmended_of_rounds_;
   std::vector<HexAttempt> attempts_;
   HexSeconds seconds_;
 };

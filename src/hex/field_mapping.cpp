@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
@@ -99,6 +100,7 @@ HexCandidate followed_candidate(TetFrameField field, double asked_size, std::siz
 HexCandidate mapped_candidate(const HexCandidate& of, double size, const HexTuning& tuning,
                               MappingEffort effort) {
   Stopwatch stopwatch;
+  tell_watched(Phase::kMap, 0);
   GridMapOptions map_options;
   HexSmoothingOptions smoothing;
   if (effort == MappingEffort::kLittle) {
@@ -115,6 +117,7 @@ HexCandidate mapped_candidate(const HexCandidate& of, double size, const HexTuni
   following->map = integer_grid_map(energy, map_options);
   following->determinants = determinants_of(energy, following->map.coordinates);
   candidate.seconds.map = stopwatch.restart();
+  tell_watched(Phase::kHexahedra, 0);
   following->extracted = extracted_hexahedra(followed.unknowns(), following->map.coordinates);
   following->feet = feet_of(MapSurface(followed.matched()), following->extracted.carriers);
   const HexTopology topology = topology_of(following->extracted.mesh);

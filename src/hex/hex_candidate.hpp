@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/hex_report.hpp"
@@ -42,6 +43,9 @@ struct HexCandidate {
   std::shared_ptr<const FollowedField> followed = {};
   std::shared_ptr<const FollowingMap> following = {};
   HexSeconds seconds = {};
+
+  /// Corners of the model at which hexahedra meet by no repair in its round.
+  std::vector<Vector3> unmended = {};
 
   /// Whether the hexahedra fill the model, and are not far fewer than asked for.
   bool is_filled() const { return made && made->are_complete() && !made->is_coarse; }

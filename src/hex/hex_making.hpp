@@ -10,6 +10,10 @@
 
 namespace crossgrain {
 
+/// Returns the size of hexahedra that the options ask for in a model, and about how many will fill it.
+double asked_size(const TetDomain& domain, const HexOptions& options);
+double expected_hexahedra(const TetDomain& domain, double size);
+
 /// Returns a field to start from, with the size of hexahedra that the options ask for.
 StartingField starting_field(TetFrameField field, const HexOptions& options);
 

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -11,14 +14,20 @@
 #include "base/vector3.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/model_fit.hpp"
+#include "measure/fault_words.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
 
 namespace crossgrain {
 namespace {
 
+/// Tets to try next, in the least size that was tried.
+constexpr double kNextTets = 1.1;
+
 std::vector<Vector3> places_of_faults(const SolveReport::Singularity& graph) {
   std::vector<Vector3> places;
+  for (const auto& crease : graph.crease_list)
+    if (crease.verdict == Verdict::kNotMeshable) places.push_back(crease.place);
   for (const auto& corner : graph.corner_list)
     if (corner.verdict == Verdict::kNotMeshable) places.push_back(corner.place);
   for (const auto& node : graph.node_list)
@@ -43,6 +52,105 @@ std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<do
   return places;
 }
 
+/// Why a result is not whole.
+struct Explanation {
+  std::string reason, detail;
+  Remedy remedy = Remedy::kNone;
+  std::vector<Vector3> places = {};
+  bool has_faces = false;  ///< the reason names faces
+};
+
+/// The first fault of a repaired field: of the surface before those inside. Only what is sharp can be made
+/// less so.
+Explanation first_fault(const SolveReport::Singularity& graph) {
+  Explanation result;
+  result.places = places_of_faults(graph);
+  const auto take_first = [&](const auto& parts, const auto& remedy_of, bool has_faces) {
+    for (const auto& part : parts) {
+      if (part.verdict != Verdict::kNotMeshable || !result.reason.empty()) continue;
+      result.reason = fault_of(part);
+      result.remedy = remedy_of(part);
+      result.has_faces = has_faces;
+    }
+  };
+  const auto of_field = [](const auto&) { return Remedy::kUseEdgeLength; };
+  take_first(
+      graph.crease_list, [](const auto&) { return Remedy::kRoundEdge; }, true);
+  take_first(
+      graph.corner_list,
+      [](const auto& corner) { return corner.creases.empty() ? Remedy::kUseEdgeLength : Remedy::kCutCorner; },
+      true);
+  take_first(graph.node_list, of_field, false);
+  take_first(graph.arc_list, of_field, false);
+  return result;
+}
+
+Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
+  const HexAttempt& attempt = best.attempt;
+  if (attempt.faults > 0) {
+    Explanation fault = first_fault(best.followed->field().report().onto->singularity);
+    fault.detail = fmt::format("none: no hexahedra can meet at {}",
+                               counted(attempt.faults, "edge or vertex", "edges and vertices"));
+    return fault;
+  }
+  if (attempt.arcs_without_length > 0)
+    return {"layers of hexahedra are squeezed to nothing",
+            fmt::format("none: {} would have no length, since both ends are on one layer of hexahedra",
+                        counted(attempt.arcs_without_length, "singular arc")),
+            Remedy::kUseEdgeLength, best.followed->arcs_without_length()};
+  const std::size_t flips = attempt.flips.value_or(0);
+  if (flips > 0) {
+    const bool by_rounding = attempt.is_folded_by_rounding();
+    return {by_rounding ? "hexahedra of this size are folded" : "layers of hexahedra are folded",
+            fmt::format("{} inverted{}", counted(flips, "tet stays", "tets stay"),
+                        by_rounding ? " with whole numbers of hexahedra" : ""),
+            Remedy::kUseEdgeLength, places_of_flips(best.followed->solid(), best.following->determinants)};
+  }
+  if (const std::size_t left_out = best.following->extracted.left_out; left_out > 0)
+    return {
+        "hexahedra would overlap, or lack a corner",
+        fmt::format("{} of the grid, covered more than once or without a corner", counted(left_out, "cell")),
+        Remedy::kUseEdgeLength};
+  if (const std::size_t inverted = report.quality.inverted; inverted > 0)
+    return {fmt::format("{} turned inside out", counted(inverted, "hexahedron is", "hexahedra are")),
+            "",
+            Remedy::kUseEdgeLength,
+            {report.quality.worst_place}};
+  return {"hexahedra leave gaps, or cut off parts of the model", "", Remedy::kUseEdgeLength};
+}
+
+/// Numbers of the faces of the model within a distance of a place, of a nearest one at least.
+std::vector<std::int32_t> faces_near(const TetSolid& solid, const Vector3& place, double distance) {
+  const std::vector<std::int32_t> tags = tags_of_faces(solid.mesh, solid.boundary);
+  std::map<std::int32_t, double> nearest;
+  for (std::size_t k = 0; k < tags.size(); ++k) {
+    const auto& [a, b, c] = solid.boundary[k];
+    const std::array corners{solid.mesh.vertices[a], solid.mesh.vertices[b], solid.mesh.vertices[c]};
+    const double away = norm(nearest_on_triangle(corners, place) - place);
+    const auto known = nearest.emplace(tags[k], away).first;
+    known->second = std::min(known->second, away);
+  }
+  std::vector<std::pair<double, std::int32_t>> by_distance;
+  for (const auto& [face, away] : nearest)
+    if (face != 0) by_distance.emplace_back(away, face);
+  std::ranges::sort(by_distance);
+  std::vector<std::int32_t> faces;
+  for (const auto& [away, face] : by_distance)
+    if (faces.empty() || away <= distance) faces.push_back(face);
+  return faces;
+}
+
+/// Returns " at 1 2 3, near faces 4 and 5, and at 2 other places".
+std::string words_of_places(const std::vector<Vector3>& places, const HexCandidate& best, bool with_faces) {
+  if (places.empty()) return "";
+  const Vector3& at = places.front();
+  std::string text = fmt::format(" at {:.4g} {:.4g} {:.4g}", at[0], at[1], at[2]);
+  const double reach = best.attempt.size > 0 ? best.attempt.size : best.asked_size;
+  const std::string faces = with_faces ? words_of_faces(faces_near(best.followed->solid(), at, reach)) : "";
+  if (!faces.empty()) text += ", near " + faces;
+  return places.size() == 1 ? text : text + ", and at " + counted(places.size() - 1, "other place");
+}
+
 }  // namespace
 
 HexReport::Quality quality_of(const HexMesh& mesh) {
@@ -64,9 +172,19 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
   return quality;
 }
 
+double untried_tet_size(const std::vector<HexAttempt>& attempts) {
+  double least = 0;
+  for (const HexAttempt& attempt : attempts)
+    if (attempt.tet_size > 0 && (least == 0 || attempt.tet_size < least)) least = attempt.tet_size;
+  if (least == 0) return 0;
+  const double size = kNextTets * least, unit = std::pow(10, std::floor(std::log10(size)) - 2);
+  return unit * std::round(size / unit);
+}
+
 void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
   report.hexahedra = mesh.hexahedra.size();
   report.vertices = mesh.vertices.size();
+  report.bodies = count_bodies(mesh);
   const HexTopology topology = topology_of(mesh);
   report.crowded_faces = topology.crowded_faces;
   report.open_edges = topology.open_edges;
@@ -77,46 +195,36 @@ void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
   measure_fit(mesh, model, report);
 }
 
-void explain(const HexCandidate& best, HexReport& report) {
+void explain(const HexCandidate& best, const std::vector<HexAttempt>& attempts, HexReport& report) {
+  report.reason.clear();
   if (report.outcome == HexOutcome::kAllHex) return;
-  const HexAttempt& attempt = best.attempt;
-  const std::size_t flips = attempt.flips.value_or(0);
-  if (attempt.faults > 0) {
-    report.places = places_of_faults(best.followed->field().report().onto->singularity);
-    report.reason = fmt::format("no map: no hexahedra can meet at {}",
-                                counted(attempt.faults, "edge or vertex", "edges and vertices"));
-    report.remedy = "tets of another size, or a model without its sharpest corners";
-  } else if (attempt.arcs_without_length > 0) {
-    report.places = best.followed->arcs_without_length();
-    report.reason =
-        fmt::format("no map: {} would have no length, since both ends are on one layer of hexahedra",
-                    counted(attempt.arcs_without_length, "singular arc"));
-    report.remedy = "tets of another size";
-  } else if (flips > 0) {
-    report.places = places_of_flips(best.followed->solid(), best.following->determinants);
-    const bool by_rounding = attempt.is_folded_by_rounding();
-    report.reason = fmt::format("no map: {} inverted{}", counted(flips, "tet stays", "tets stay"),
-                                by_rounding ? " with whole numbers of hexahedra" : "");
-    report.remedy = by_rounding ? "a smaller size of hexahedra" : "tets of another size";
-  } else if (best.following->extracted.left_out > 0) {
-    report.reason =
-        fmt::format("no map: it covers {} more than once, or without a corner",
-                    counted(best.following->extracted.left_out, "cell of the grid", "cells of the grid"));
-    report.remedy = "another size of hexahedra";
-  } else if (report.quality.inverted > 0) {
-    report.places = {report.quality.worst_place};
-    report.reason =
-        fmt::format("{} inverted", counted(report.quality.inverted, "hexahedron is", "hexahedra are"));
-    report.remedy = "a smaller size of hexahedra";
-  } else {
-    report.reason = "the hexahedra do not close up";
-    report.remedy = "another size of hexahedra";
-  }
+  Explanation why = explanation_of(best, report);
+  report.places = std::move(why.places);
   if (report.places.size() > HexReport::kMostPlaces) report.places.resize(HexReport::kMostPlaces);
-  if (report.places.empty()) return;
-  const Vector3& at = report.places.front();
-  report.reason += fmt::format("{} at {:.4g} {:.4g} {:.4g}", report.places.size() > 1 ? ", the first" : ",",
-                               at[0], at[1], at[2]);
+  report.reason = why.reason + words_of_places(report.places, best, !why.has_faces);
+  report.detail = why.detail;
+  report.remedy = why.remedy;
+  if (report.remedy != Remedy::kUseEdgeLength) return;
+  report.remedy_number = untried_tet_size(attempts);
+  if (report.remedy_number == 0) report.remedy = Remedy::kNone;
+}
+
+std::string end_of(const HexCandidate& candidate, double least_quality) {
+  HexReport report;
+  report.outcome = candidate.attempt.outcome;
+  if (candidate.made) report.quality = candidate.made->quality;
+  if (report.outcome != HexOutcome::kAllHex) {
+    if (!candidate.followed) return "no mesh";
+    explain(candidate, {}, report);
+    return report.reason + (candidate.unmended.empty() ? "" : ", with any of the repairs");
+  }
+  const std::string what =
+      fmt::format("{} the model", candidate.attempt.hexahedra == 1
+                                      ? "1 hexahedron fills"
+                                      : fmt::format("{} hexahedra fill", candidate.attempt.hexahedra));
+  if (candidate.made->is_coarse) return what + ", far fewer than asked for";
+  if (report.quality.least >= least_quality) return what;
+  return what + fmt::format(", the worst with a scaled Jacobian of {:.2g}", report.quality.least);
 }
 
 }  // namespace crossgrain

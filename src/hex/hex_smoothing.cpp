@@ -211,7 +211,8 @@ class Smoothing {
   bool is_valid() const { return best_score_.good == best.hexahedra.size(); }
 
   /// Rounds from the best mesh on; vertices that are `loose` may leave the surface.
-  void run(double power, const std::vector<bool>& loose);
+  /// `share` of the smoothing is done before it, and another `own_share` after it.
+  void run(double power, const std::vector<bool>& loose, double share, double own_share);
 
  private:
   Foot foot(std::size_t vertex, const std::vector<bool>& loose) const {
@@ -234,7 +235,7 @@ Vector3 Smoothing::held(std::size_t vertex, const Vector3& point, bool is_loose)
   return length <= most ? point : nearest + (most / length) * off;
 }
 
-void Smoothing::run(double power, const std::vector<bool>& loose) {
+void Smoothing::run(double power, const std::vector<bool>& loose, double share, double own_share) {
   HexMesh mesh = best;
   ShapeEnergy energy(mesh, size_, power);
   constexpr double kLeastGain = 1e-3;  // of the score, below which a round is in vain
@@ -244,6 +245,7 @@ void Smoothing::run(double power, const std::vector<bool>& loose) {
   for (std::size_t v = 0; v < feet_.size(); ++v) feet.push_back(foot(v, loose));
   int in_vain = 0;
   for (int round = 0; round < options_.rounds && in_vain < kRoundsInVain; ++round) {
+    tell_watched(Phase::kSmooth, share + own_share * round / options_.rounds);
     const Freedom freedom(mesh, surface_, feet);
     const Descent descent =
         minimised([&](const Eigen::VectorXd& x,
@@ -272,9 +274,13 @@ HexMesh smoothed(HexMesh mesh, const MapSurface& surface, const std::vector<Foot
   if (mesh.hexahedra.empty()) return mesh;
   Smoothing smoothing(std::move(mesh), surface, feet, size, options);
   const std::vector<bool> none(feet.size(), false);
-  for (const double power : options.powers) smoothing.run(power, none);
+  // Loose vertices take as many rounds again, where they are needed.
+  const double own_share = 0.5 / static_cast<double>(options.powers.size());
+  double share = 0;
+  for (const double power : options.powers) smoothing.run(power, none, share, own_share), share += own_share;
   if (!smoothing.is_valid() && options.slack > 0)
-    for (const double power : options.powers) smoothing.run(power, in_inverted(smoothing.best));
+    for (const double power : options.powers)
+      smoothing.run(power, in_inverted(smoothing.best), share, own_share), share += own_share;
   return std::move(smoothing.best);
 }
 

@@ -13,11 +13,14 @@
 #include "crossgrain/thread_limit.hpp"
 #include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
+#include "hex/hex_forecast.hpp"
 #include "hex/hex_making.hpp"
 #include "hex/hex_map.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/model_fit.hpp"
+#include "hex/solid_judgement.hpp"
 #include "solve/tet_domain_data.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -68,6 +71,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   HexReport report;
   report.size = best.asked_size;
   report.used_size = best.attempt.size;
+  report.expected = queue.expected_hexahedra();
   report.quality_before = quality_of(extracted.mesh);
   HexMesh mesh = best.made->mesh;
   mesh.unit = field.domain().mesh().unit;
@@ -76,28 +80,40 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.left_out = extracted.left_out;
   measure(mesh, followed.solid(), report);
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
+  mesh.is_partial = is_partial(report.outcome);
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
-  explain(best, report);
+  explain(best, queue.attempts(), report);
+  SolveReport whole = field.report();
+  judge_solids(mesh, followed.solid(), whole.onto->united, report, whole.warnings);
   report.attempts = queue.attempts();
   report.best_attempt = queue.best_attempt();
+  report.is_stopped = queue.is_stopped();
   const HexSeconds& seconds = queue.seconds();
   report.repair_seconds = seconds.repair;
   report.map_seconds = seconds.map;
   report.extraction_seconds = seconds.extraction;
   report.smoothing_seconds = seconds.smoothing;
   report.analysis_seconds = stopwatch.restart();
-  SolveReport whole = field.report();
   add_faces(mesh, followed.solid(), report, whole);
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
   whole.hexahedra = std::move(report);
+  whole.answer.is_meshed = true;
   return {std::move(mesh), field.with_report(std::move(whole)), std::move(map)};
 }
 
 }  // namespace
 
+double asked_size(const TetDomain& domain, const HexOptions& options) {
+  return options.size > 0 ? options.size : longest_side(domain.data().box) / options.cells;
+}
+
+double expected_hexahedra(const TetDomain& domain, double size) {
+  return expected_hexahedra(domain.boundary(), volume_of(domain.mesh()), size);
+}
+
 StartingField starting_field(TetFrameField field, const HexOptions& options) {
-  const double longest = longest_side(field.domain().data().box);
-  return {std::move(field), options.size > 0 ? options.size : longest / options.cells};
+  const double size = asked_size(field.domain(), options);
+  return {std::move(field), size};
 }
 
 Hexahedra best_of_attempts(const std::function<void(AttemptQueue&)>& begin, const HexOptions& options,
@@ -118,7 +134,11 @@ Hexahedra best_of_attempts(const std::function<void(AttemptQueue&)>& begin, cons
 Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const Monitor& monitor) {
   check_repairable(field.domain());
   const ThreadLimit limit(options.threads);
-  const auto begin = [&](AttemptQueue& queue) { queue.start_on(starting_field(field, options)); };
+  const auto begin = [&](AttemptQueue& queue) {
+    StartingField start = starting_field(field, options);
+    queue.expect(expected_hexahedra(field.domain(), start.size));
+    queue.start_on(std::move(start));
+  };
   return best_of_attempts(begin, options, HexTuning(), monitor);
 }
 

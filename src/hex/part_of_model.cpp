@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <string>
+
 #include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
 
@@ -18,6 +20,9 @@ class PartOfModel : public AttemptKind {
       return std::nullopt;
     return Turn{queue.rounds() - 1, Turn::Step::kPart};
   }
+
+  std::string plan(const AttemptQueue&) const override { return "a part of the model"; }
+  std::size_t left(const AttemptQueue& queue) const override { return next(queue) ? 1 : 0; }
 
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
     rounds_ = queue.rounds();

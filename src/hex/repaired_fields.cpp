@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
+#include <string>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -20,6 +20,9 @@ constexpr double kRepairShare = 0.04;
 /// Faults wander (RepairTuning::wanderings) in tries with no more than so many, if none has a map.
 constexpr std::size_t kWanderingFaults = 6;
 
+/// Of repairs that are completed: most of their time is past.
+constexpr double kUnknownShare = -1;
+
 double work_of(const std::vector<RepairTry>& tries) {
   double work = 0;
   for (const RepairTry& one : tries) work += static_cast<double>(one.tets.work);
@@ -33,8 +36,18 @@ class RepairedFields : public AttemptKind {
   const char* name() const override { return "repair"; }
 
   std::optional<Turn> next(const AttemptQueue& queue) const override {
-    if (!queue.start() || (rounds_ == queue.rounds() && stage_ == Stage::kEnd)) return std::nullopt;
+    if (left(queue) == 0) return std::nullopt;
     return Turn{queue.rounds() - 1, Turn::Step::kRepair};
+  }
+
+  std::string plan(const AttemptQueue&) const override { return "another repair of the field"; }
+
+  std::size_t left(const AttemptQueue& queue) const override {
+    if (!queue.start()) return 0;
+    if (rounds_ != queue.rounds()) return 1;
+    const auto of_stage = static_cast<std::size_t>(
+        std::count_if(left_.begin(), left_.end(), [&](const RepairTry* one) { return !is_taken(*one); }));
+    return of_stage > 0 ? of_stage : static_cast<std::size_t>(has_later_stage());
   }
 
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
@@ -43,7 +56,7 @@ class RepairedFields : public AttemptKind {
     Stopwatch stopwatch;
     if (rounds_ != queue.rounds()) {
       rounds_ = queue.rounds();
-      stage_ = Stage::kEnd;
+      end();
       if (start.field.data().is_repaired()) return {candidate_of(start.field, start)};
       begin(queue);
     }
@@ -54,15 +67,13 @@ class RepairedFields : public AttemptKind {
     }
     const double seconds = stopwatch.restart();
     if (tries.empty()) return {};
-    queue.monitor().report(
-        {Phase::kHexahedra, 0, start.field.domain().data().solid.mesh.vertices.size(), 0, NAN});
     std::vector<HexCandidate> candidates = take(tries, start);
     candidates.front().seconds.repair += seconds;
     candidates.front().attempt.work += work_;
     const auto filled = std::find_if(candidates.begin(), candidates.end(),
                                      [](const HexCandidate& one) { return one.is_filled(); });
     if (filled != candidates.end()) {
-      stage_ = Stage::kEnd;
+      end();
       candidates.erase(filled + 1, candidates.end());
     }
     return candidates;
@@ -71,6 +82,23 @@ class RepairedFields : public AttemptKind {
  private:
   /// Which tries are taken. Each stage follows when the one before has none left.
   enum class Stage { kSound, kWandered, kAny, kEnd };
+
+  void end() {
+    stage_ = Stage::kEnd;
+    left_.clear();
+  }
+
+  bool is_taken(const RepairTry& one) const {
+    return std::find(taken_.begin(), taken_.end(), one.tets.matchings) != taken_.end();
+  }
+
+  /// Whether a stage after this one may have tries.
+  bool has_later_stage() const {
+    if (stage_ != Stage::kSound) return stage_ == Stage::kWandered && taken_.empty();
+    return taken_.empty() || std::any_of(tries_.begin(), tries_.end(), [&](const RepairTry& one) {
+             return one.tets.faults == 0 ? !is_taken(one) : one.tets.faults <= kWanderingFaults;
+           });
+  }
 
   void begin(AttemptQueue& queue) {
     const StartingField& start = *queue.start();
@@ -82,8 +110,29 @@ class RepairedFields : public AttemptKind {
     repairs_of_field_.emplace(start.field, RepairOptions(), std::move(tuning), queue.monitor());
     tries_ = repairs_of_field_->tries();
     work_ = work_of(tries_);
-    begin_stage(Stage::kSound);
+    find_unmended(start.field);
+    begin_stage(is_hopeless() ? Stage::kAny : Stage::kSound);
   }
+
+  /// Finds the corners of the surface at which hexahedra meet neither by the field nor by any of its repairs.
+  /// docs/notes/hexahedra.md shows that such fields have no map.
+  void find_unmended(const TetFrameField& field) {
+    // Fewer tries say nothing: with some weights a repair keeps to the geometry.
+    constexpr std::size_t kTellingTries = 6;
+    unmended_.clear();
+    if (tries_.size() < kTellingTries || !field.report().onto) return;
+    const auto& vertices = field.domain().data().solid.mesh.vertices;
+    for (const auto& corner : field.report().onto->singularity.corner_list) {
+      if (corner.verdict != Verdict::kNotMeshable) continue;
+      const bool is_in_all = std::all_of(tries_.begin(), tries_.end(), [&](const RepairTry& one) {
+        return std::any_of(one.impossible_vertices.begin(), one.impossible_vertices.end(),
+                           [&](std::uint32_t v) { return vertices[v] == corner.place; });
+      });
+      if (is_in_all) unmended_.push_back(corner.place);
+    }
+  }
+
+  bool is_hopeless() const { return !unmended_.empty(); }
 
   /// A fault may be too small to matter: of those in which all arcs have a length the best with faults is
   /// taken too. Arcs without one may get a length when vertices move.
@@ -115,9 +164,8 @@ class RepairedFields : public AttemptKind {
     while (!left_.empty() && next.size() < kAtOnce) {
       const RepairTry* const one = left_.front();
       left_.erase(left_.begin());
-      const std::vector<CubeRotation>& matchings = one->tets.matchings;
-      if (std::find(taken_.begin(), taken_.end(), matchings) != taken_.end()) continue;
-      taken_.push_back(matchings);
+      if (is_taken(*one)) continue;
+      taken_.push_back(one->tets.matchings);
       next.push_back(one);
     }
     return next;
@@ -129,13 +177,17 @@ class RepairedFields : public AttemptKind {
         tries.size(),
         [&](std::size_t k) {
           Stopwatch stopwatch;
+          tell_watched(Phase::kRepair, kUnknownShare);
           TetFrameField field = repairs_of_field_->field_of(*tries[k]);
           const double seconds = stopwatch.restart();
           candidates[k] = candidate_of(std::move(field), start);
           candidates[k].seconds.repair = seconds;
         },
         /*grain=*/1);
-    for (HexCandidate& candidate : candidates) candidate.attempt.repair = repairs_++;
+    for (HexCandidate& candidate : candidates) {
+      candidate.attempt.repair = repairs_++;
+      candidate.unmended = unmended_;
+    }
     return candidates;
   }
 
@@ -143,7 +195,8 @@ class RepairedFields : public AttemptKind {
   HexCandidate candidate_of(TetFrameField field, const StartingField& start) const {
     HexCandidate followed = followed_candidate(std::move(field), start.size, rounds_ - 1);
     if (followed.attempt.arcs_without_length > 0) return followed;
-    HexCandidate mapped = mapped_candidate(followed, start.size, tuning_);
+    const auto effort = is_hopeless() ? MappingEffort::kLittle : MappingEffort::kFull;
+    HexCandidate mapped = mapped_candidate(followed, start.size, tuning_, effort);
     mapped.attempt.work += followed.attempt.work;
     mapped.seconds.map += followed.seconds.map;
     return mapped;
@@ -157,6 +210,7 @@ class RepairedFields : public AttemptKind {
   std::optional<FieldRepairs> repairs_of_field_;
   std::vector<RepairTry> tries_, wandered_;
   std::vector<const RepairTry*> left_;  ///< of the stage
+  std::vector<Vector3> unmended_;       ///< HexCandidate::unmended
   std::vector<std::vector<CubeRotation>> taken_;
 };
 

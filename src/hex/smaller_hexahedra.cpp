@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
+#include <fmt/format.h>
+
+#include <string>
 
 #include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
@@ -32,6 +34,16 @@ class SmallerHexahedra : public AttemptKind {
     return Turn{round + kRoundsBefore, Turn::Step::kSmaller};
   }
 
+  std::string plan(const AttemptQueue& queue) const override {
+    const double last = best_ ? size_ : queue.best_of_rounds()[next_round(queue)]->asked_size;
+    return fmt::format("hexahedra of {:.3g}", kSmallerShare * last);
+  }
+
+  std::size_t left(const AttemptQueue& queue) const override {
+    if (!next(queue)) return 0;
+    return static_cast<std::size_t>(tuning_.smaller_sizes - (best_ ? sizes_ : 0));
+  }
+
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
     if (!best_) {
       turn_ = next(queue);
@@ -41,7 +53,6 @@ class SmallerHexahedra : public AttemptKind {
       size_ = starting_field(best_->followed->field(), options_).size;
       sizes_ = 0;
     }
-    queue.monitor().report({Phase::kHexahedra, 0, best_->followed->solid().mesh.vertices.size(), 0, NAN});
     size_ *= kSmallerShare;
     const bool is_last = ++sizes_ == tuning_.smaller_sizes;
     HexCandidate candidate = mapped_candidate(*best_, size_, tuning_);

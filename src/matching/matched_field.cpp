@@ -6,14 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/degree.hpp"
 #include "base/parallel.hpp"
 #include "singularity/tet_matchings.hpp"
 #include "singularity/vertex_link.hpp"
 
 namespace crossgrain {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Turn of the surface at an edge from which its geometry says whether it is convex; below, frames say it.
 constexpr double kConvexDeg = 15;

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "singularity/corner_faces.hpp"
 #include "singularity/singularity_graph.hpp"
 #include "singularity/solid_creases.hpp"
 #include "singularity/surface_hexahedra.hpp"
@@ -55,7 +56,7 @@ void judge_arc(const MatchedField& field, SingularityGraph::Arc& arc) {
 }
 
 /// A crease of the surface as the map sees it.
-Summary::Crease described(const MatchedField& field, const SolidCrease& crease) {
+Summary::Crease described(const MatchedField& field, const SurfaceFans& fans, const SolidCrease& crease) {
   std::map<int, double> lengths;
   for (const SolidCrease::Edge& edge : crease.edges)
     lengths[field.boundary_turn(field.complex().edge_between(edge.ends[0], edge.ends[1])).hexahedra] +=
@@ -70,16 +71,20 @@ Summary::Crease described(const MatchedField& field, const SolidCrease& crease) 
           .length = crease.length,
           .followed = most->second / crease.length,
           .verdict = lengths.count(0) ? Verdict::kNotMeshable : Verdict::kMeshable,
-          .place = 0.5 * (vertices[sharpest.ends[0]] + vertices[sharpest.ends[1]])};
+          .place = 0.5 * (vertices[sharpest.ends[0]] + vertices[sharpest.ends[1]]),
+          .faces = fans.beside(sharpest)};
 }
 
-Summary::Corner described_corner(const MatchedField& field, std::uint32_t vertex) {
+Summary::Corner described_corner(const MatchedField& field, const SurfaceFans& fans, std::uint32_t vertex) {
   Summary::Corner corner;
   corner.place = field.complex().solid().mesh.vertices[vertex];
   corner.creases = field.creases_at(vertex);
   corner.arcs = field.valences_at(vertex);
   corner.hexahedra = hexahedra_at_surface_vertex(corner.arcs, corner.creases);
   corner.verdict = verdict_of(field.vertex_state(vertex));
+  const CornerFaces around = fans.at(vertex);
+  corner.faces = around.faces;
+  corner.narrowest_deg = around.narrowest_deg;
   return corner;
 }
 
@@ -103,14 +108,18 @@ SingularityGraph repaired_graph(const MatchedField& field) {
 SolveReport::Singularity repaired_summary(const MatchedField& field, const SingularityGraph& graph) {
   const TetSolid& solid = field.complex().solid();
   Summary summary = summary_of(graph, /*is_repaired=*/true);
-  const SolidCreases creases = solid_creases({solid.mesh.vertices, solid.boundary});
-  for (const SolidCrease& crease : creases.creases) summary.crease_list.push_back(described(field, crease));
+  const std::vector<std::int32_t> faces = tags_of_faces(solid.mesh, solid.boundary);
+  const SolidSurface surface{solid.mesh.vertices, solid.boundary, faces};
+  const SurfaceFans fans(surface);
+  const SolidCreases creases = solid_creases(surface);
+  for (const SolidCrease& crease : creases.creases)
+    summary.crease_list.push_back(described(field, fans, crease));
   std::set<std::uint32_t> corners;
   for (const SolidCorner& corner : creases.corners) corners.insert(corner.vertex);
   for (std::uint32_t v = 0; v < solid.mesh.vertices.size(); ++v)
     if (field.complex().is_on_boundary(v) && field.vertex_state(v) != VertexState::kPossible)
       corners.insert(v);
-  for (const std::uint32_t v : corners) summary.corner_list.push_back(described_corner(field, v));
+  for (const std::uint32_t v : corners) summary.corner_list.push_back(described_corner(field, fans, v));
   return summary;
 }
 

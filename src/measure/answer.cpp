@@ -12,6 +12,7 @@
 #include "crossgrain/report.hpp"
 #include "crossgrain/verdict.hpp"
 #include "measure/answer_limits.hpp"
+#include "measure/fault_words.hpp"
 
 namespace crossgrain {
 namespace {
@@ -66,72 +67,58 @@ class Reasons {
 
 /// The angle of the surface itself does not depend on the cells.
 void judge_surface(const Singularity& singularity, Reasons& reasons) {
-  const auto knife = [](const Singularity::Crease& crease) {
-    return fmt::format("a knife edge of {:.3g} degrees leaves room for no hexahedron",
-                       crease.least_angle_deg);
-  };
-  reasons.add_worst(ReasonKind::kKnifeEdge, Verdict::kNotMeshable, singularity.crease_list,
-                    Verdict::kNotMeshable, knife, Remedy::kRoundEdge);
-  const auto corner = [](const Singularity::Corner& it) {
-    if (it.creases.empty())
-      return fmt::format("no hexahedra fit around a point of the surface where {} {}",
-                         counted(it.arcs.size(), "arc"), it.arcs.size() == 1 ? "ends" : "end");
-    return fmt::format("no hexahedra fit around a corner of {}, with {} at their edges",
-                       counted(it.creases.size(), "crease"), fmt::join(it.creases, ", "));
-  };
-  reasons.add_worst(ReasonKind::kCorner, Verdict::kNotMeshable, singularity.corner_list,
-                    Verdict::kNotMeshable, corner, Remedy::kCutCorner);
+  reasons.add_worst(
+      ReasonKind::kKnifeEdge, Verdict::kNotMeshable, singularity.crease_list, Verdict::kNotMeshable,
+      [](const Singularity::Crease& it) { return fault_of(it); }, Remedy::kRoundEdge);
+  // Only what is sharp can be cut off.
+  std::vector<Singularity::Corner> sharp, smooth;
+  for (const Singularity::Corner& it : singularity.corner_list)
+    (it.creases.empty() ? smooth : sharp).push_back(it);
+  for (const auto& [corners, remedy] :
+       {std::pair(&sharp, Remedy::kCutCorner), std::pair(&smooth, Remedy::kTryOtherCells)})
+    reasons.add_worst(
+        ReasonKind::kCorner, Verdict::kNotMeshable, *corners, Verdict::kNotMeshable,
+        [](const Singularity::Corner& it) { return fault_of(it); }, remedy);
   const auto rounded = [](const Singularity::Crease& crease) {
-    return fmt::format("rounding decides whether an edge of {:.3g} degrees has a hexahedron",
-                       crease.least_angle_deg);
+    return fmt::format("the edge of {:.3g} degrees{} has one hexahedron or none, by rounding",
+                       crease.least_angle_deg, between(crease.faces));
   };
   reasons.add_worst(ReasonKind::kKnifeEdge, Verdict::kUndecided, singularity.crease_list, Verdict::kUndecided,
                     rounded, Remedy::kRoundEdge);
   const auto undecided = [](const Singularity::Corner& it) {
-    return fmt::format("rounding or the size of the cells decides about a corner of {}",
-                       counted(it.creases.size(), "crease"));
+    return fmt::format("rounding or the size of the cells decides about a corner of {}{}",
+                       counted(it.creases.size(), "sharp edge"), between(it.faces));
   };
   reasons.add_worst(ReasonKind::kCorner, Verdict::kUndecided, singularity.corner_list, Verdict::kUndecided,
                     undecided, Remedy::kChangeAngles);
 }
 
-const char* fault_of(const Singularity::Arc& arc) {
-  switch (arc.type) {
-    case SingularityGraph::ArcType::kChanging:
-      return "an arc has a turning point: frames rotate about it in both senses";
-    case SingularityGraph::ArcType::kNoAxis:
-      return "frames rotate around an arc about a diagonal, by a third of a turn";
-    case SingularityGraph::ArcType::kRegular:
-      break;
-  }
-  return "an arc has two hexahedra around it, which would share two faces";
-}
-
 /// Faults of lines are certain only if the cells resolve them: `fault` is kUndecided otherwise.
 void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons) {
   constexpr Remedy kNext = Remedy::kTryOtherCells;
-  reasons.add_worst(ReasonKind::kArc, fault, singularity.arc_list, Verdict::kNotMeshable, fault_of, kNext);
+  reasons.add_worst(
+      ReasonKind::kArc, fault, singularity.arc_list, Verdict::kNotMeshable,
+      [](const Singularity::Arc& it) { return fault_of(it); }, kNext);
   const auto across = [](const Singularity::Arc& arc) {
     return arc.type == SingularityGraph::ArcType::kNoAxis
-               ? "frames rotate around a short arc about a diagonal, which may be two arcs"
-               : "frames rotate about an axis across an arc";
+               ? "around a short line the field turns about a diagonal, which may be two lines"
+               : "around a singular line the field turns about an axis across it";
   };
   reasons.add_worst(ReasonKind::kArc, Verdict::kUndecided, singularity.arc_list, Verdict::kUndecided, across,
                     kNext);
-  const auto node = [](const Singularity::Node& it) {
-    return fmt::format("no hexahedra meet like the {} of a node", counted(it.arcs.size(), "arc"));
-  };
-  reasons.add_worst(ReasonKind::kNode, fault, singularity.node_list, Verdict::kNotMeshable, node, kNext);
+  reasons.add_worst(
+      ReasonKind::kNode, fault, singularity.node_list, Verdict::kNotMeshable,
+      [](const Singularity::Node& it) { return fault_of(it); }, kNext);
   std::vector<Singularity::Node> inner, ends;
   for (const Singularity::Node& it : singularity.node_list) (it.on_boundary ? ends : inner).push_back(it);
   const auto large = [](const Singularity::Node& it) {
-    return fmt::format("a node of {} is undecided, by one of them or by too many hexahedra",
-                       counted(it.arcs.size(), "arc"));
+    return fmt::format("{} meet in a point, too many to judge or one of them undecided",
+                       counted(it.arcs.size(), "singular line"));
   };
   reasons.add_worst(ReasonKind::kNode, Verdict::kUndecided, inner, Verdict::kUndecided, large, kNext);
   const auto close = [](const Singularity::Node& it) {
-    return fmt::format("{} end so close to one another that they leave no hexahedron if they meet",
-                       counted(it.arcs.size(), "arc"));
+    return fmt::format("{} end so close together on the surface that no hexahedron may fit between them",
+                       counted(it.arcs.size(), "singular line"));
   };
   reasons.add_worst(ReasonKind::kEnds, Verdict::kUndecided, ends, Verdict::kUndecided, close,
                     Remedy::kCutTip);
@@ -143,7 +130,7 @@ void judge_short_lines(const Singularity& singularity, std::size_t short_arcs, N
   if (shorter <= kFewShort || static_cast<double>(shorter) <= kShortPerArc * others) return;
   reasons.add(
       ReasonKind::kShortLines, Verdict::kUndecided,
-      fmt::format("{} {} too short for the cells", counted(shorter, "singular line"), is_or_are(shorter)),
+      fmt::format("{} {} shorter than a few cells", counted(shorter, "singular line"), is_or_are(shorter)),
       next);
 }
 
@@ -158,10 +145,10 @@ void judge_creases(const Singularity& singularity, Next next, Reasons& reasons) 
     if (!worst || length > (1 - worst->followed) * worst->length) worst = &crease;
   }
   if (!worst || unfollowed <= kUnfollowedShare * all) return;
-  reasons.add(
-      ReasonKind::kCreases, Verdict::kUndecided,
-      fmt::format("frames do not follow the creases along {:.0f} % of their length", 100 * unfollowed / all),
-      next);
+  reasons.add(ReasonKind::kCreases, Verdict::kUndecided,
+              fmt::format("the field does not follow the sharp edges along {:.2g} % of their length",
+                          100 * unfollowed / all),
+              next);
   reasons.last().count = 1;
   reasons.last().place = worst->place;
 }
@@ -185,19 +172,19 @@ void judge_grid(const SolveReport& report, Reasons& reasons) {
     // The margin keeps the next solve from missing its wall by rounding.
     const double enough = 1.01 * report.resolution * kWallCells / walls.deciding_cells;
     reasons.add(ReasonKind::kWalls, Verdict::kUndecided,
-                fmt::format("walls under {:.3g} % of the surface have fewer than {:g} cells",
+                fmt::format("walls under {:.3g} % of the surface are thinner than {:g} cells",
                             100 * walls.unresolved_share, kWallCells),
                 use_resolution(enough));
   }
   const SolveReport::Alignment& alignment = report.alignment_deg;
   if (alignment.excluded_share > kUnfollowedShare) {
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
-                fmt::format("{:.2g} % of the surface lies in cells whose constraints no frame meets",
+                fmt::format("no frame follows all faces in the cells at {:.2g} % of the surface",
                             100 * alignment.excluded_share),
                 finer);
   } else if (alignment.p95.value_or(0) > kUnfollowedDeg) {
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
-                fmt::format("frames are more than {:.3g} degrees off 5 % of the surface", *alignment.p95),
+                fmt::format("the field is more than {:.3g} degrees off 5 % of the surface", *alignment.p95),
                 finer);
   }
   judge_creases(report.singularity, finer, reasons);
@@ -208,14 +195,14 @@ void judge_comparison(const SolveReport& report, Reasons& reasons) {
   const Next finer = use_resolution(2 * report.resolution);
   if (!report.coarser) {
     reasons.add(ReasonKind::kNoComparison, Verdict::kUndecided,
-                "there is no level of half the resolution to compare with", finer);
+                "there is no field of half the resolution to compare with", finer);
     return;
   }
   const SolveReport::Coarser& coarser = *report.coarser;
   if (agree(report.singularity, coarser)) return;
   reasons.add(ReasonKind::kOtherAtHalf, Verdict::kUndecided,
               fmt::format("half the resolution has other singular lines: {} for {}, {} on the surface for {}",
-                          counted(coarser.arcs, "arc"), report.singularity.arcs,
+                          counted(coarser.arcs, "line"), report.singularity.arcs,
                           counted(coarser.boundary_ends, "end"), report.singularity.boundary_ends),
               finer);
   if (coarser.differences.empty()) return;
@@ -233,7 +220,7 @@ void judge_tets(const SolveReport::Onto& onto, Reasons& reasons) {
   const Next finer{Remedy::kUseEdgeLength, share * onto.edge_length};
   if (onto.unfollowed_share > kUnfollowedShare)
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
-                fmt::format("frames are more than {:g} degrees off {:.2g} % of the surface", kUnfollowedDeg,
+                fmt::format("the field is more than {:g} degrees off {:.2g} % of the surface", kUnfollowedDeg,
                             100 * onto.unfollowed_share),
                 finer);
   judge_creases(onto.singularity, finer, reasons);
@@ -250,6 +237,14 @@ void judge_end(const SolveReport& report, Reasons& reasons) {
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided, "tets overlap", {Remedy::kMeshAgain});
 }
 
+/// Returns where a reason holds: " at 1 2 3 and at 2 other places"; empty if it is about no place.
+std::string places_of(const Reason& reason) {
+  if (reason.count == 0) return "";
+  const auto& [x, y, z] = reason.place;
+  const std::string text = fmt::format(" at {:.6g} {:.6g} {:.6g}", x, y, z);
+  return reason.count == 1 ? text : text + " and at " + counted(reason.count - 1, "other place");
+}
+
 }  // namespace
 
 const char* name_of(Verdict verdict) {
@@ -258,7 +253,7 @@ const char* name_of(Verdict verdict) {
 }
 
 const char* words_of(Verdict verdict) {
-  constexpr std::array kWords{"can be meshed locally", "cannot be meshed", "undecided"};
+  constexpr std::array kWords{"hexahedra fit locally", "this field has no hexahedra", "undecided"};
   return name_among<Verdict::kUndecided>(kWords, verdict);
 }
 
@@ -281,7 +276,9 @@ Answer answer_of(const SolveReport& report) {
   const Singularity& singularity = report.onto ? report.onto->singularity : report.singularity;
   judge_lines(singularity, reasons.empty() ? Verdict::kNotMeshable : Verdict::kUndecided, reasons);
   judge_surface(singularity, reasons);
-  return std::move(reasons).answer();
+  Answer answer = std::move(reasons).answer();
+  answer.is_meshed = report.hexahedra.has_value();
+  return answer;
 }
 
 std::string sentence_of(const Answer& answer) {
@@ -293,15 +290,15 @@ std::string sentence_of(const Answer& answer) {
 std::string sentence_of(const Answer& answer, const std::string& remedy_words) {
   std::string text = words_of(answer.verdict);
   if (answer.verdict == Verdict::kMeshable) return text + " (necessary, not sufficient)";
-  text += ", because ";
-  if (answer.reasons.empty()) return text + "nothing was judged";
+  if (answer.reasons.empty()) return text + ", because nothing was judged";
   const Reason& first = answer.reasons.front();
-  text += first.text;
-  if (first.count > 0) {
-    const auto& [x, y, z] = first.place;
-    text += fmt::format(" at {:.6g} {:.6g} {:.6g}", x, y, z);
+  const std::string where = places_of(first);
+  if (answer.verdict == Verdict::kNotMeshable) {
+    text += where + ": " + first.text;
+    if (!answer.is_meshed) text += "; 'crossgrain hex' may still find a mesh";
+  } else {
+    text += ", because " + first.text + where;
   }
-  if (first.count > 1) text += fmt::format(" and at {}", counted(first.count - 1, "other place"));
   return remedy_words.empty() ? text : text + "; next: " + remedy_words;
 }
 

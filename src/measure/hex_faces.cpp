@@ -96,6 +96,27 @@ std::size_t count_pinched(const HexTopology& topology,
 
 }  // namespace
 
+std::vector<HexInnerFace> inner_faces_of(const HexMesh& mesh) {
+  const std::vector<Use> uses = uses_of(mesh);
+  std::vector<HexInnerFace> faces;
+  for (std::size_t k = 0; k < uses.size();) {
+    std::size_t end = k + 1;
+    while (end < uses.size() && uses[end].sorted == uses[k].sorted) ++end;
+    if (end - k == 2)
+      faces.push_back({uses[k].side.vertices, {uses[k].side.hexahedron, uses[k + 1].side.hexahedron}});
+    k = end;
+  }
+  return faces;
+}
+
+std::size_t count_bodies(const HexMesh& mesh) {
+  DisjointSets connected(mesh.hexahedra.size());
+  for (const HexInnerFace& face : inner_faces_of(mesh)) connected.join(face.hexahedra[0], face.hexahedra[1]);
+  std::size_t bodies = 0;
+  for (std::uint32_t h = 0; h < mesh.hexahedra.size(); ++h) bodies += connected.root(h) == h;
+  return bodies;
+}
+
 std::vector<HexSide> boundary_of(const HexMesh& mesh) {
   HexTopology topology;
   find_boundary(mesh, topology);

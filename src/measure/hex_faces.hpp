@@ -41,6 +41,18 @@ struct HexTopology {
   bool is_closed() const { return crowded_faces == 0 && open_edges == 0; }
 };
 
+/// A face between two hexahedra.
+struct HexInnerFace {
+  std::array<std::uint32_t, 4> vertices;  ///< outward from the first
+  std::array<std::uint32_t, 2> hexahedra;
+};
+
+/// Returns the faces of just two hexahedra, ascending by vertices.
+std::vector<HexInnerFace> inner_faces_of(const HexMesh& mesh);
+
+/// Returns the number of sets of hexahedra that are connected over faces.
+std::size_t count_bodies(const HexMesh& mesh);
+
 /// Returns HexTopology::boundary alone.
 std::vector<HexSide> boundary_of(const HexMesh& mesh);
 

@@ -1,32 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "base/names.hpp"
 #include "crossgrain/hex_report.hpp"
 #include "crossgrain/message.hpp"
 
 namespace crossgrain {
+namespace {
+
+/// Below it a scaled Jacobian is too poor for most solvers: as HexTuning::least_quality, below which the
+/// search goes on.
+constexpr double kPoorShape = 0.05;
+
+/// A number of hexahedra is as expected within this factor: what a forecast from the volume keeps on solid
+/// parts.
+constexpr double kAsExpected = 2;
+
+/// Returns number and size of hexahedra; of those that fill the model with what was expected where they are
+/// others, and why they are.
+std::string sizes_of(const HexReport& report) {
+  const auto made = static_cast<double>(report.hexahedra);
+  const double expected =
+      std::max(1.0, report.expected > 0 ? report.expected : report.model_volume / std::pow(report.size, 3));
+  const bool is_whole = report.outcome == HexOutcome::kAllHex || report.outcome == HexOutcome::kFlawed;
+  const bool is_smaller = report.used_size<report.size, is_more = made> kAsExpected * expected,
+             is_less = made * kAsExpected < expected;
+  if (!is_whole || !(is_smaller || is_more || is_less))
+    return fmt::format("{} of {:.3g}", report.hexahedra, report.used_size);
+  const char* const reason = is_smaller ? "larger ones would be turned inside out"
+                             : is_more  ? "each wall and gap has one across"
+                                        : "the field leaves room for fewer";
+  const double size = is_smaller ? report.used_size : std::cbrt(report.volume / made);
+  return fmt::format("{} of {:.3g}{}, not about {:.0f} of {:.3g}: {}", report.hexahedra, size,
+                     is_smaller ? "" : " in the mean", expected, report.size, reason);
+}
+
+}  // namespace
 
 const char* name_of(HexOutcome outcome) {
   constexpr std::array kNames{"all-hex", "flawed", "partial", "none"};
   return name_among<HexOutcome::kNone>(kNames, outcome);
 }
 
+std::string shapes_of(const HexReport::Quality& quality) {
+  const auto& [x, y, z] = quality.worst_place;
+  return fmt::format("scaled Jacobian {:.2g} at {:.4g} {:.4g} {:.4g}, {:.2g} in the mean", quality.least, x,
+                     y, z, quality.mean);
+}
+
 std::string sentence_of(const HexReport& report) {
+  return sentence_of(report, words_of(report.remedy, report.remedy_number));
+}
+
+std::string sentence_of(const HexReport& report, const std::string& remedy_words) {
   std::string text = name_of(report.outcome);
-  if (report.hexahedra > 0) {
-    const Vector3& at = report.quality.worst_place;
-    text = fmt::format("{}, {}, worst scaled Jacobian {:.2f} at {:.4g} {:.4g} {:.4g}, {:.2f} in the mean",
-                       text, counted(report.hexahedra, "hexahedron", "hexahedra"), report.quality.least,
-                       at[0], at[1], at[2], report.quality.mean);
-  }
-  if (report.is_coarse)
-    text += fmt::format(", though about {:.0f} of size {:.3g} would fill the model",
-                        report.model_volume / std::pow(report.size, 3), report.size);
-  return report.reason.empty() ? text : fmt::format("{}: {}; try {}", text, report.reason, report.remedy);
+  if (report.hexahedra > 0) text += ": " + sizes_of(report);
+  if (report.bodies > 1) text += fmt::format(" in {}", counted(report.bodies, "body", "bodies"));
+  if (report.hexahedra > 0 && report.quality.inverted == 0 && report.quality.least < kPoorShape)
+    text += fmt::format("; badly shaped: worst scaled Jacobian {:.2g}", report.quality.least);
+  if (report.reason.empty()) return text;
+  text += (report.hexahedra > 0 ? "; " : ": ") + report.reason;
+  return remedy_words.empty() ? text : text + "; " + remedy_words;
 }
 
 }  // namespace crossgrain

@@ -6,11 +6,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "crossgrain/error.hpp"
 #include "crossgrain/monitor.hpp"
 #include "files/output_file.hpp"
-#include "text/text_scanner.hpp"
+#include "files/output_name.hpp"
 
 namespace crossgrain {
 
@@ -21,13 +21,17 @@ struct MeshFormat {
   void (*write)(OutputFile& file, const Mesh& mesh, const Monitor& monitor);
 };
 
-/// Returns the format of a file. Throws Error(kUsage) with `refusal` if it is none of these.
+/// Returns the format of a file. Throws Error(kUsage) if it is none of these; `what` is in the file, such as
+/// "a tet mesh".
 template <class Mesh>
 const MeshFormat<Mesh>& format_of(const std::filesystem::path& path,
-                                  std::span<const MeshFormat<Mesh>> formats, const char* refusal) {
-  for (const MeshFormat<Mesh>& format : formats)
-    if (equals_ignoring_case(format.extension, path.extension().string())) return format;
-  throw Error(ErrorKind::kUsage, {path.string(), "", refusal});
+                                  std::span<const MeshFormat<Mesh>> formats, const char* what) {
+  std::vector<std::string_view> extensions;
+  for (const MeshFormat<Mesh>& format : formats) {
+    if (has_extension(path, format.extension)) return format;
+    extensions.push_back(format.extension);
+  }
+  refuse_name(path, what, extensions);
 }
 
 /// Writes a mesh in its format. The file appears complete or not at all. Throws Error(kOutput) and

@@ -7,15 +7,18 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/reading.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "hex/hex_making.hpp"
+#include "meshing/asked_hexahedra.hpp"
 #include "meshing/made_tets.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// Makes all attempts. `begin` is that of `best_of_attempts`, and returns seconds of making tets.
+/// Makes all attempts. `begin` is that of `best_of_attempts`; it checks what is asked for, and returns
+/// seconds of making tets.
 template <class Begin>
 Hexahedra made_by_attempts(const Begin& begin, const HexMeshingOptions& options, const HexTuning& tuning,
                            const Monitor& monitor) {
@@ -25,9 +28,14 @@ Hexahedra made_by_attempts(const Begin& begin, const HexMeshingOptions& options,
   const ThreadLimit limit(options.solve.threads);
   Stopwatch stopwatch;
   double tet_seconds = 0;
-  Hexahedra made = best_of_attempts([&](AttemptQueue& queue) { tet_seconds = begin(queue); },
-                                    options.hexahedra, tuning, monitor);
+  AskedHexahedra asked(options);
+  const auto begin_heard = [&](AttemptQueue& queue) {
+    queue.hear_ends(options.on_attempt_end);
+    tet_seconds = begin(queue, asked);
+  };
+  Hexahedra made = best_of_attempts(begin_heard, options.hexahedra, tuning, monitor);
   SolveReport report = made.field.report();
+  report.warnings.insert(report.warnings.begin(), asked.warnings().begin(), asked.warnings().end());
   for (const HexAttempt& attempt : report.hexahedra->attempts) tet_seconds += attempt.tet_seconds;
   report.seconds.read = tet_seconds;
   report.seconds.total = stopwatch.restart();
@@ -38,11 +46,12 @@ Hexahedra made_by_attempts(const Begin& begin, const HexMeshingOptions& options,
 /// Returns hexahedra in the tets that `make` gives.
 template <class Make>
 Hexahedra in_tets(const Make& make, const HexMeshingOptions& options, const Monitor& monitor) {
-  const auto begin = [&](AttemptQueue& queue) {
+  const auto begin = [&](AttemptQueue& queue, AskedHexahedra& asked) {
     Stopwatch stopwatch;
     const TetDomain domain = make();
+    asked.check(SearchableSurface(prepare_surface(domain.boundary())));
     const double seconds = stopwatch.restart();
-    queue.start_on(solved_on(domain, options, queue.monitor()));
+    queue.start_on(solved_on(domain, options, queue));
     return seconds;
   };
   return made_by_attempts(begin, options, HexTuning(), monitor);
@@ -58,8 +67,8 @@ Error named(const Error& error, const std::filesystem::path& model) {
 
 Hexahedra hexahedra_in_tets_of(const MakeTets& make, const HexMeshingOptions& options,
                                const MeshingTuning& tuning, const Monitor& monitor) {
-  const auto begin = [&](AttemptQueue& queue) {
-    queue.add(std::make_unique<MadeTets>(make, options, tuning));
+  const auto begin = [&](AttemptQueue& queue, AskedHexahedra& asked) {
+    queue.add(std::make_unique<MadeTets>(make, options, tuning, asked));
     return 0.0;
   };
   return made_by_attempts(begin, options, tuning.hexahedra, monitor);
@@ -72,7 +81,12 @@ Hexahedra make_hexahedra(const std::filesystem::path& model, const HexMeshingOpt
       return hexahedra_in_tets_of(
           [&](const auto& making, const Monitor& part) { return make_tets(model, making, part); }, options,
           MeshingTuning(), monitor);
-    const auto read = [&] { return read_tets(model); };
+    const auto read = [&] {
+      TetMesh mesh = read_tets(model);
+      if (options.tets.unit != LengthUnit::kUnknown) mesh.unit = name_of(options.tets.unit);
+      monitor.tell(summary_of(mesh));
+      return mesh;
+    };
     return in_tets([&] { return domain_of(read, options, true, monitor); }, options, monitor);
   } catch (const Error& error) {
     throw named(error, model);

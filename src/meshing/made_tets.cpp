@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meshing/made_tets.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/stopwatch.hpp"
@@ -13,8 +14,8 @@
 #include "crossgrain/solve.hpp"
 #include "hex/hex_making.hpp"
 #include "hex/work.hpp"
+#include "measure/body_contacts.hpp"
 #include "solve/tet_domain_data.hpp"
-#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -58,23 +59,54 @@ TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOption
   TetMesh mesh = make();
   if (warns && options.on_warning)
     for (const Warning& warning : mesh.warnings) options.on_warning(warning);
-  return prepared(TetDomain(std::move(mesh), options.tags), options);
+  const TetDomain domain = prepared(TetDomain(std::move(mesh), options.tags), options);
+  if (!warns || !options.on_warning) return domain;
+  const std::vector<BodyContact> contacts = body_contacts(domain.data().solid);
+  if (!contacts.empty()) options.on_warning(warning_of(contacts));
+  return domain;
 }
 
-StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor) {
-  if (options.on_expected) {
-    const HexOptions& of = options.hexahedra;
-    const double size = of.size > 0 ? of.size : longest_side(domain.data().box) / of.cells;
-    options.on_expected({domain.mesh().tets.size(), size, volume_of(domain.mesh()) / std::pow(size, 3)});
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue,
+                        const HexExpectation::TetSize& made) {
+  const bool is_first = queue.rounds() == 0;
+  if (is_first) {
+    const double size = asked_size(domain, options.hexahedra);
+    const double hexahedra = expected_hexahedra(domain, size);
+    queue.expect(hexahedra);
+    if (options.on_expected) options.on_expected({domain.mesh().tets.size(), size, hexahedra, made});
   }
-  TetFrameField field = solve_onto(domain, options.solve, monitor);
-  monitor.check_stop();
+  TetFrameField field = solve_onto(domain, options.solve, queue.monitor());
+  queue.monitor().check_stop();
+  if (is_first && options.on_answer) options.on_answer(field.report().answer);
   return starting_field(std::move(field), options.hexahedra);
 }
 
 std::optional<Turn> MadeTets::next(const AttemptQueue& queue) const {
-  if (at_ == tuning_.tet_shares.size() || sizes_ == tuning_.most_sizes) return std::nullopt;
+  if (left(queue) == 0) return std::nullopt;
   return Turn{queue.rounds(), Turn::Step::kTets};
+}
+
+/// The next of MeshingTuning::tet_shares that is not too fine.
+std::size_t MadeTets::next_share() const {
+  const std::vector<double>& shares = tuning_.tet_shares;
+  std::size_t at = at_;
+  while (at < shares.size() && shares[at] < large_share_) ++at;
+  return at;
+}
+
+std::string MadeTets::plan(const AttemptQueue&) const {
+  if (domains_.empty()) return "tets";
+  const double longest = longest_side(domains_.back().data().box);
+  const double size = tet_options(options_, tuning_.tet_shares[next_share()]).size_for(longest);
+  return fmt::format("tets of {:.3g}", size);
+}
+
+std::size_t MadeTets::left(const AttemptQueue& queue) const {
+  if (queue.is_up_to_the_model()) return 0;
+  const auto& shares = tuning_.tet_shares;
+  const auto sizes = std::count_if(shares.begin() + static_cast<std::ptrdiff_t>(at_), shares.end(),
+                                   [&](double share) { return share >= large_share_; });
+  return std::min(static_cast<std::size_t>(sizes), tuning_.most_sizes - sizes_);
 }
 
 std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
@@ -83,7 +115,7 @@ std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
   const std::optional<TetDomain> domain = next_domain(queue.monitor(), made.attempt);
   if (!domain) return {};
   made.attempt.round = queue.rounds();
-  StartingField start = solved_on(*domain, options_, queue.monitor());
+  StartingField start = solved_on(*domain, options_, queue, size_);
   start.work_share = kWorkShare;
   queue.start_on(std::move(start));
   made.attempt.work = kTetWork * static_cast<double>(made.attempt.tets);
@@ -96,9 +128,8 @@ std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
 std::optional<TetDomain> MadeTets::next_domain(const Monitor& monitor, HexAttempt& attempt) {
   const std::vector<double>& shares = tuning_.tet_shares;
   const double coarsest = *std::max_element(shares.begin(), shares.end());
-  while (at_ < shares.size()) {
+  while ((at_ = next_share()) < shares.size()) {
     const double share = shares[at_++];
-    if (share < large_share_) continue;
     auto domain = domain_of(share, share == coarsest, monitor, attempt);
     if (!domain && sizes_ == 0) domain = domain_of(coarsest, true, monitor, attempt);
     if (domain) return domain;
@@ -109,7 +140,8 @@ std::optional<TetDomain> MadeTets::next_domain(const Monitor& monitor, HexAttemp
 std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, const Monitor& monitor,
                                              HexAttempt& attempt) {
   Stopwatch stopwatch;
-  const TetMakingTuning making = tet_options(options_, share);
+  TetMakingTuning making = tet_options(options_, share);
+  making.on_solid = [this](const SearchableSurface& part) { asked_.check(part); };
   ++sizes_;  // also if this fails
   const bool warns = !std::exchange(has_warned_, true);
   TetDomain domain = crossgrain::domain_of([&] { return make_(making, monitor); }, options_, warns, monitor);
@@ -119,11 +151,14 @@ std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, co
   const bool is_known = std::any_of(domains_.begin(), domains_.end(),
                                     [&](const TetDomain& other) { return are_same(domain, other); });
   const bool is_large = !may_be_large && attempt.tets > tuning_.large_tets;
+  if (is_large && domains_.empty()) size_ = {0, attempt.tet_size, attempt.tets};
   if (is_large) large_share_ = std::max(large_share_, share);
   if (is_known || is_large) {
     --sizes_;
     return std::nullopt;
   }
+  if (!domains_.empty()) size_ = {};
+  size_.used = attempt.tet_size;
   domains_.push_back(domain);
   return domain;
 }

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hex/attempt_queue.hpp"
+#include "meshing/asked_hexahedra.hpp"
 #include "meshing/hexahedra_of_models.hpp"
 
 namespace crossgrain {
@@ -14,15 +16,20 @@ namespace crossgrain {
 /// Attempts at tets of one size after the other, with a field on them: each begins a round.
 class MadeTets : public AttemptKind {
  public:
-  /// The options and the tuning must outlive the object.
-  MadeTets(MakeTets make, const HexMeshingOptions& options, const MeshingTuning& tuning)
-      : make_(std::move(make)), options_(options), tuning_(tuning) {}
+  /// The options, the tuning and what is asked for must outlive the object.
+  MadeTets(MakeTets make, const HexMeshingOptions& options, const MeshingTuning& tuning,
+           AskedHexahedra& asked)
+      : make_(std::move(make)), options_(options), tuning_(tuning), asked_(asked) {}
 
   const char* name() const override { return "tets"; }
   std::optional<Turn> next(const AttemptQueue& queue) const override;
+  std::string plan(const AttemptQueue& queue) const override;
+  std::size_t left(const AttemptQueue& queue) const override;
+  bool makes_meshes() const override { return false; }
   std::vector<HexCandidate> make(AttemptQueue& queue) override;
 
  private:
+  std::size_t next_share() const;
   std::optional<TetDomain> next_domain(const Monitor& monitor, HexAttempt& attempt);
   std::optional<TetDomain> domain_of(double share, bool may_be_large, const Monitor& monitor,
                                      HexAttempt& attempt);
@@ -30,10 +37,12 @@ class MadeTets : public AttemptKind {
   MakeTets make_;
   const HexMeshingOptions& options_;
   const MeshingTuning& tuning_;
+  AskedHexahedra& asked_;
   std::size_t sizes_ = 0;   ///< that were tried
   std::size_t at_ = 0;      ///< the next of MeshingTuning::tet_shares
   double large_share_ = 0;  ///< finer sizes than this have too many tets
   bool has_warned_ = false;
+  HexExpectation::TetSize size_;    ///< of the last tets
   std::vector<TetDomain> domains_;  ///< of all rounds
 };
 
@@ -44,7 +53,9 @@ TetDomain prepared(const TetDomain& domain, const HexMeshingOptions& options);
 TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOptions& options, bool warns,
                     const Monitor& monitor);
 
-/// Solves on tets, for a round of the queue.
-StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor);
+/// Solves on tets, for a round of the queue. Of the first, listeners and the queue hear before what is to be
+/// expected, with the size of tets that were made, and afterwards the answer about the field.
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue,
+                        const HexExpectation::TetSize& made = {});
 
 }  // namespace crossgrain

@@ -3,6 +3,7 @@
 
 #include <libdeflate.h>
 
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "crossgrain/writing.hpp"
 #include "files/file_mark.hpp"
 #include "files/output_file.hpp"
+#include "files/output_name.hpp"
 #include "page/page_scene.hpp"
 #include "page/page_template.hpp"
 
@@ -87,6 +89,7 @@ CompanionFile page_with(const SceneOf& scene_of) {
 
 void write_alone(const CompanionFile& page, const SolveReport& report, const std::filesystem::path& path,
                  const Monitor& monitor) {
+  check_extension(path, "a page", std::array<std::string_view, 2>{".html", ".htm"});
   OutputFile file(path);
   page.prepare(monitor)(report, [&](std::string_view bytes) { file.write(bytes); });
   monitor.check();

@@ -36,7 +36,7 @@ void answer_marks(const SolveReport& report, double radius, std::vector<Facet>& 
 }
 
 LegendBlock answer_legend(const SolveReport& report, bool has_marks) {
-  LegendBlock block{fmt::format("Field: {}", words_of(report.answer.verdict))};
+  LegendBlock block{fmt::format("Answer: {}", words_of(report.answer.verdict))};
   const std::vector<Answer::Reason>& reasons = report.answer.reasons;
   if (!reasons.empty()) block.notes.push_back(reasons.front().text);
   if (reasons.size() > 1)

@@ -216,7 +216,7 @@ std::vector<LegendBlock> ShownHexahedra::legend(const HexReport* report) const {
   if (inverted > 0)
     shapes.signs.push_back({Sign::Shape::kBox, kInverted, fmt::format("inverted ({})", inverted)});
   const double worst = *std::min_element(shapes_.begin(), shapes_.end());
-  shapes.signs.push_back({Sign::Shape::kNothing, {}, fmt::format("worst {:.2f}", worst)});
+  shapes.signs.push_back({Sign::Shape::kNothing, {}, fmt::format("worst {:.2g}", worst)});
   if (!tags_.empty()) shapes = face_legend(tags_);
   std::vector<LegendBlock> blocks{outcome_block(mesh_.hexahedra.size(), report), std::move(shapes)};
   if (options_.quality_below)

@@ -30,6 +30,7 @@ void check_mesh(const HexMesh& mesh) {
 void render_picture(const HexMesh& mesh, const std::filesystem::path& picture, const PictureOptions& options,
                     const HexReport* report, const Monitor& monitor) {
   check_options(options);
+  check_picture_name(picture);
   check_option(options.colour == PictureColour::kNone || options.colour == PictureColour::kFace,
                "hexahedra are coloured by their scaled Jacobian or by face, and by nothing else");
   check_mesh(mesh);

@@ -61,6 +61,7 @@ std::vector<LegendBlock> legend_blocks(const ShownField& field, const CellColour
 void render_shown(const ShownField& field, const std::filesystem::path& picture, PictureOptions options,
                   const PictureCurves& curves, const Monitor& monitor) {
   check_options(options);
+  check_picture_name(picture);
   OutputFile file(picture);
   monitor.check();
 

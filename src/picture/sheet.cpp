@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "crossgrain/error.hpp"
+#include "files/output_name.hpp"
 #include "picture/axis_cross.hpp"
 #include "picture/canvas.hpp"
 #include "picture/field_drawing.hpp"
@@ -35,6 +37,10 @@ constexpr double kMostPixels = 64e6;
 
 void check_option(bool sound, const std::string& message) {
   if (!sound) throw Error(ErrorKind::kUsage, message);
+}
+
+void check_picture_name(const std::filesystem::path& picture) {
+  check_extension(picture, "a picture", std::array<std::string_view, 1>{".png"});
 }
 
 void check_options(const PictureOptions& options) {

@@ -2,6 +2,7 @@
 // What pictures of fields and of hexahedra have alike: options, where things are placed, the legend.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace crossgrain {
 
 /// Throws Error(kUsage) for options out of range.
 void check_options(const PictureOptions& options);
+
+/// Throws Error(kUsage) for a name of another format than PNG.
+void check_picture_name(const std::filesystem::path& picture);
 
 /// Throws Error(kUsage) with this text unless `sound`.
 void check_option(bool sound, const std::string& message);

@@ -2,6 +2,7 @@
 #include "repair/repaired_matchings.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <tuple>
@@ -20,7 +21,14 @@
 namespace crossgrain {
 namespace {
 
-std::size_t faults_of(const MatchedField& field) {
+std::vector<std::uint32_t> impossible_vertices_of(const MatchedField& field) {
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t v = 0; v < field.complex().solid().mesh.vertices.size(); ++v)
+    if (field.vertex_state(v) == VertexState::kImpossible) vertices.push_back(v);
+  return vertices;
+}
+
+std::size_t faulty_edges_of(const MatchedField& field) {
   std::size_t faults = 0;
   const TetComplex& complex = field.complex();
   for (std::uint32_t e = 0; e < complex.edges().size(); ++e) {
@@ -29,9 +37,11 @@ std::size_t faults_of(const MatchedField& field) {
     faults +=
         edge.is_on_boundary() ? field.boundary_turn(e).hexahedra == 0 : !field.turn_around(e).may_be_meshed();
   }
-  for (std::uint32_t v = 0; v < complex.solid().mesh.vertices.size(); ++v)
-    faults += field.vertex_state(v) == VertexState::kImpossible;
   return faults;
+}
+
+std::size_t faults_of(const MatchedField& field) {
+  return faulty_edges_of(field) + impossible_vertices_of(field).size();
 }
 
 double cost_of(const MatchedField& field, const RepairWeights& weights) {
@@ -63,7 +73,8 @@ struct Try : RepairTry {
 };
 
 void judge(Try& what, const RepairTuning& options) {
-  what.tets.faults = faults_of(*what.field);
+  what.impossible_vertices = impossible_vertices_of(*what.field);
+  what.tets.faults = faulty_edges_of(*what.field) + what.impossible_vertices.size();
   what.zero_lengths = zero_lengths_of(*what.field);
   what.cost = cost_of(*what.field, options.tries.front());
 }
@@ -96,16 +107,31 @@ void wander_once(Try& what, int k, const RepairTuning& options) {
   finish(what, options);
 }
 
+/// `done` of all repairs is behind the loop, and `own` after it.
+struct ShareOfRepairs {
+  double done = 0, own = 1;
+};
+
+/// Repairs before their frames are smoothed, and after.
+constexpr ShareOfRepairs kFirstHalf{0, 0.5}, kSecondHalf{0.5, 0.5};
+
 template <typename Body>
-void for_each_try(std::vector<Try>& tries, std::size_t count, const Body& body) {
+void for_each_try(std::vector<Try>& tries, std::size_t count, ShareOfRepairs share, const Body& body) {
+  std::atomic<std::size_t> ended = 0;
   parallel_for(
-      count, [&](std::size_t k) { body(tries[k], k); }, /*grain=*/1);
+      count,
+      [&](std::size_t k) {
+        body(tries[k], k);
+        const double part = static_cast<double>(++ended) / static_cast<double>(count);
+        tell_watched(Phase::kRepair, share.done + share.own * part);
+      },
+      /*grain=*/1);
 }
 
 /// All tries with the frames given, the best first; those without faults have different matchings.
 std::vector<Try> ranked_tries(const MatchedField& given, const RepairTuning& options) {
   std::vector<Try> tries(options.tries.size());
-  for_each_try(tries, tries.size(), [&](Try& one, std::size_t k) {
+  for_each_try(tries, tries.size(), kFirstHalf, [&](Try& one, std::size_t k) {
     one.weights = options.tries[k];
     one.tets.frames.assign(given.frames().begin(), given.frames().end());
     one.field = given.with_frames(one.tets.frames);
@@ -145,7 +171,7 @@ std::vector<RepairTry> results_of(std::vector<Try> tries, const MatchedField& gi
 
 std::vector<RepairTry> repair_tries(const MatchedField& given, const RepairTuning& options) {
   std::vector<Try> tries = ranked_tries(given, options);
-  for_each_try(tries, tries.size(), [&](Try& one, std::size_t) { finish(one, options); });
+  for_each_try(tries, tries.size(), kSecondHalf, [&](Try& one, std::size_t) { finish(one, options); });
   return results_of(std::move(tries), given);
 }
 
@@ -154,7 +180,7 @@ std::vector<RepairTry> wandered_tries(const MatchedField& given, std::vector<Rep
   std::erase_if(tries,
                 [&](const RepairTry& one) { return one.tets.faults == 0 || one.tets.faults > most_faults; });
   std::vector<Try> wandering(tries.size());
-  for_each_try(wandering, wandering.size(), [&](Try& one, std::size_t k) {
+  for_each_try(wandering, wandering.size(), {}, [&](Try& one, std::size_t k) {
     one.weights = tries[k].weights;
     one.tets = tries[k].tets;
     one.field = given.with_frames(one.tets.frames);
@@ -178,7 +204,7 @@ RepairedTets repaired_tets(const MatchedField& given, const RepairTuning& option
   if (best->tets.faults > 0) {
     const auto finalists =
         std::clamp<std::size_t>(static_cast<std::size_t>(options.finalists), 1, tries.size());
-    for_each_try(tries, finalists, [&](Try& one, std::size_t k) {
+    for_each_try(tries, finalists, kSecondHalf, [&](Try& one, std::size_t k) {
       if (k > 0) finish(one, options);
       for (int round = 1; round <= options.wanderings && one.tets.faults > 0; ++round)
         wander_once(one, round, options);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "base/quaternion.hpp"
@@ -32,6 +33,9 @@ struct RepairTry {
   RepairWeights weights;
   RepairedTets tets;
   std::size_t zero_lengths = 0;  ///< arcs_of_length_zero
+
+  /// Those of its faults that are vertices, ascending.
+  std::vector<std::uint32_t> impossible_vertices = {};
 };
 
 /// Returns all tries, each with frames smoothed for it, the best first, as RepairTuning::tries ranks them;

@@ -71,7 +71,7 @@ void add_cells(const LeafCorners& corners, std::size_t cells, std::vector<VtuArr
                                     [&corners](std::size_t begin, std::size_t end, Index* out) {
                                       corners.write_indices(begin, end, out);
                                     }));
-  add_uniform_cells<Index>(cells, 8, kVtkVoxel, arrays);
+  add_uniform_cells<Index>(cells, 8, kVtkHexahedron, arrays);
 }
 
 void add_grid(const LeafCorners& corners, std::size_t cells, std::vector<VtuArray>& arrays) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
@@ -64,16 +66,14 @@ std::shared_ptr<FolderReservation> check_field_folder(const std::filesystem::pat
 
 namespace {
 
-/// Writes the files of hexahedra, or removes earlier ones.
-void add_hexahedra(const HexMesh* mesh, OutputFolder& output, const Monitor& monitor) {
-  std::optional<HexOutput> shown;
-  if (mesh) shown.emplace(*mesh);
-  for (const std::string& name : hexahedra_file_names()) {
-    if (shown)
-      write_hexahedra_file(output.create(name), *shown, monitor);
-    else
-      output.remove_at_commit(name);
-  }
+/// Writes the files of hexahedra, and removes earlier ones.
+void add_hexahedra(const OutputOptions& options, OutputFolder& output, const Monitor& monitor) {
+  const std::vector<std::string> names = hexahedra_files(options);
+  for (const std::string& name : all_hexahedra_file_names())
+    if (std::find(names.begin(), names.end(), name) == names.end()) output.remove_at_commit(name);
+  if (names.empty()) return;
+  const HexOutput shown(*options.hexahedra);
+  for (const std::string& name : names) write_hexahedra_file(output.create(name), shown, monitor);
 }
 
 /// Writes a folder; the cells by `write_cells`. By a field that processes share, these are called before all
@@ -104,7 +104,7 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
           output.remove_at_commit(kSurfaceFile);
         report.unmarked_files.clear();
         add_files(output, report);
-        add_hexahedra(options.hexahedra.get(), output, monitor);
+        add_hexahedra(options, output, monitor);
       },
       [&] {
         if (options.companion) companion = options.companion->prepare(monitor);

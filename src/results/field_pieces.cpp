@@ -160,8 +160,13 @@ bool is_in_pieces(const fs::path& folder) {
 std::vector<fs::path> cell_files(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const std::string& piece : listed_pieces(folder)) files.push_back(folder / piece);
-  if (files.empty()) files.push_back(folder / kCellsFile);
-  return files;
+  if (!files.empty()) return files;
+  check_is_folder(folder);
+  if (!may_exist(folder / kCellsFile))
+    throw Error(ErrorKind::kInput,
+                {folder.string(), "", fmt::format("holds no field, {} is missing", kCellsFile),
+                 Remedy::kGiveFieldFolder});
+  return {folder / kCellsFile};
 }
 
 std::vector<std::string> pieces_in(const fs::path& folder) {

@@ -17,7 +17,8 @@ namespace crossgrain {
 /// Error(kInput) for a list of anything else.
 std::vector<std::string> listed_pieces(const std::filesystem::path& folder);
 
-/// Returns the files with the cells of the field in a folder, in order: field.vtu, or the pieces.
+/// Returns the files with the cells of the field in a folder, in order: field.vtu, or the pieces. Throws
+/// Error(kInput), naming the folder, if there are none.
 std::vector<std::filesystem::path> cell_files(const std::filesystem::path& folder);
 
 /// Returns the names of pieces in a folder, listed or not, that this library has written.

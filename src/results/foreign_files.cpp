@@ -126,6 +126,14 @@ std::vector<std::string> companions_in(const fs::path& folder) {
   return names;
 }
 
+void check_is_folder(const fs::path& folder) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(folder, failure);
+  if (fs::is_directory(status)) return;
+  const char* const text = fs::exists(status) ? "is not a folder" : "no such folder";
+  throw Error(ErrorKind::kInput, {folder.string(), "", text, Remedy::kGiveFieldFolder});
+}
+
 bool may_exist(const fs::path& path) {
   std::error_code unknown;
   return fs::status(path, unknown).type() != fs::file_type::not_found;

@@ -10,7 +10,8 @@ namespace crossgrain {
 namespace {
 
 HexMesh read_from_folder(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / kHexahedraFile;
+  std::filesystem::path path = folder / kHexahedraFile;
+  if (!may_exist(path)) path = folder / kPartialHexahedraFile;
   if (!may_exist(path))
     throw Error(ErrorKind::kInput, {folder.string(), "", "has no hexahedra", Remedy::kMakeHexahedra});
   HexMesh mesh = read_hexahedra_file(path);

@@ -36,6 +36,13 @@ std::uint64_t low_key(CellAddress leaf) {
   return leaf.packed() >> 5;
 }
 
+/// Returns whether corner k of a leaf is on the high side of an axis, in the order of VTK_HEXAHEDRON: around
+/// the lower square, then around the upper one.
+constexpr bool is_high(std::size_t k, int axis) {
+  const std::size_t voxel_corner = k ^ (k >> 1 & 1);  // bit a tells the side of axis a
+  return voxel_corner >> axis & 1;
+}
+
 /// Returns the keys of a leaf's corners. The width is added to one coordinate with the bits of the others
 /// set, so that carries propagate across them.
 std::array<std::uint64_t, kCornersPerLeaf> corner_keys(CellAddress leaf) {
@@ -45,7 +52,7 @@ std::array<std::uint64_t, kCornersPerLeaf> corner_keys(CellAddress leaf) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::uint64_t bits = kBitsOfX << axis;
     const std::uint64_t high = ((low | ~bits) + (width << axis)) & bits;
-    for (std::size_t k = 0; k < kCornersPerLeaf; ++k) keys[k] |= k >> axis & 1 ? high : low & bits;
+    for (std::size_t k = 0; k < kCornersPerLeaf; ++k) keys[k] |= is_high(k, axis) ? high : low & bits;
   }
   return keys;
 }

@@ -33,9 +33,8 @@ class LeafCorners {
   /// Returns x, y, z of corners [begin, end), in model units.
   void write_positions(std::size_t begin, std::size_t end, double* out) const;
 
-  /// Returns entries [begin, end) of the corner numbers of all leaves, eight per leaf: bit a of the place
-  /// among the eight tells whether the corner is on the high side of axis a (the order of VTK_VOXEL). Index
-  /// is std::int32_t, if it can hold every number, or std::int64_t.
+  /// Returns entries [begin, end) of the corner numbers of all leaves, eight per leaf in the order of
+  /// VTK_HEXAHEDRON. Index is std::int32_t, if it can hold every number, or std::int64_t.
   template <class Index>
   void write_indices(std::size_t begin, std::size_t end, Index* out) const;
 

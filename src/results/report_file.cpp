@@ -117,6 +117,7 @@ SolveReport read_report(const std::filesystem::path& path) {
     fail_input(file, {}, "names no solve", Remedy::kCopyOrSolveAgain);
   describe_results(reader, report);
   describe_doubts(reader, report);
+  report.answer.is_meshed = report.hexahedra.has_value();
   return report;
 }
 

@@ -69,8 +69,9 @@ CROSSGRAIN_DESCRIBE(SolveReport::Singularity::Arc, type, index, verdict, length,
                     place, nodes)
 CROSSGRAIN_DESCRIBE(SolveReport::Singularity::Node, place, on_boundary, verdict, arcs)
 CROSSGRAIN_DESCRIBE(SolveReport::Singularity::Crease, hexahedra, angle_deg, least_angle_deg, length, followed,
-                    verdict, place)
-CROSSGRAIN_DESCRIBE(SolveReport::Singularity::Corner, hexahedra, creases, arcs, verdict, place)
+                    verdict, place, faces)
+CROSSGRAIN_DESCRIBE(SolveReport::Singularity::Corner, hexahedra, creases, arcs, verdict, place, faces,
+                    narrowest_deg)
 CROSSGRAIN_DESCRIBE(SolveReport::Singularity, edges, length, arcs, nodes, boundary_ends, unresolved_loops,
                     unresolved_stubs, crease_hooks, short_arcs, contacts, verdict, not_meshable_arcs,
                     not_meshable_nodes, undecided_nodes, arc_list, node_list, crease_list, corner_list)
@@ -159,15 +160,20 @@ void describe(File& file, Attempt& attempt) {
 template <class File, MaybeConst<HexReport> Report>
 void describe(File& file, Report& hexahedra) {
   file.member("outcome", hexahedra.outcome);
+  file.note("sentence", sentence_of(hexahedra).c_str());
   file.text("reason", hexahedra.reason);
-  file.text("remedy", hexahedra.remedy);
-  CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, hexahedra, vertices, is_coarse, left_out,
-                     crowded_faces, open_edges, pinched_vertices, model, volume, model_volume, area,
+  file.text("detail", hexahedra.detail);
+  file.optional_name("remedy", hexahedra.remedy);
+  if (has_number(hexahedra.remedy)) file.member("remedy_number", hexahedra.remedy_number);
+  file.note("next", words_of(hexahedra.remedy, hexahedra.remedy_number).c_str());
+  CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, expected, hexahedra, vertices, bodies, is_coarse,
+                     left_out, crowded_faces, open_edges, pinched_vertices, model, volume, model_volume, area,
                      model_area, largest_distance, largest_distance_place, mean_distance,
-                     largest_distance_of_model, largest_distance_of_model_place)
+                     largest_distance_of_model, largest_distance_of_model_place, interface_faces,
+                     largest_interface_distance)
   file.member("scaled_jacobian", hexahedra.quality);
   file.member("scaled_jacobian_before", hexahedra.quality_before);
-  CROSSGRAIN_MEMBERS(hexahedra, inner_valences, boundary_valences, attempts, best_attempt)
+  CROSSGRAIN_MEMBERS(hexahedra, inner_valences, boundary_valences, attempts, best_attempt, is_stopped)
   file.object("seconds", [&](auto& seconds) {
     seconds.member("repair", hexahedra.repair_seconds);
     seconds.member("map", hexahedra.map_seconds);

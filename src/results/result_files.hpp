@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/result_folder.hpp"
+
 namespace crossgrain {
 
 inline constexpr const char* kSurfaceFile = "surface.vtu";
@@ -18,8 +20,14 @@ inline constexpr const char* kTetGridFile = "onto.vtu";
 /// kStreamlinesFile.
 std::vector<std::string> all_result_files();
 
+/// Returns the names of the files of hexahedra that `write_field` writes with these options.
+std::vector<std::string> hexahedra_files(const OutputOptions& options);
+
 /// Returns false if there is certainly no such file. If the system does not tell, reading it will say why.
 bool may_exist(const std::filesystem::path& path);
+
+/// Throws Error(kInput) unless there is a folder of this name.
+void check_is_folder(const std::filesystem::path& folder);
 
 /// Returns whether a file has the mark that the files of this library carry, pictures included; those of
 /// formats without comments do not (docs/field-file.md).

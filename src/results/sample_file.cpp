@@ -2,14 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "crossgrain/samples.hpp"
 #include "files/file_mark.hpp"
 #include "files/output_file.hpp"
+#include "files/output_name.hpp"
 #include "results/frame_files.hpp"
 
 namespace crossgrain {
@@ -22,6 +25,9 @@ std::string line_of(const Vector3& point) {
   // 17 significant digits restore the same bits.
   return fmt::format("{:.17g} {:.17g} {:.17g}\n", point[0], point[1], point[2]);
 }
+
+/// Names of text with numbers between blanks, besides those without an extension.
+constexpr std::array<std::string_view, 2> kTextExtensions{".txt", ".dat"};
 
 /// Opens a file, or standard output for "-".
 class Sink {
@@ -41,8 +47,14 @@ class Sink {
 
 }  // namespace
 
+void check_sample_names(const SampleFiles& files) {
+  check_extension(files.frames, "a file of frames", kTextExtensions);
+  check_extension(files.outside, "a file of points", kTextExtensions);
+}
+
 std::size_t write_samples(const FrameField& field, std::span<const Vector3> points, const SampleFiles& files,
                           const Monitor& monitor) {
+  check_sample_names(files);
   Sink frames(files.frames);
   std::optional<Sink> outside;
   if (!files.outside.empty()) outside.emplace(files.outside);

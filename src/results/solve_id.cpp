@@ -201,6 +201,7 @@ void check_listed_bytes(const fs::path& path, std::string_view bytes, const Resu
 }
 
 std::string solve_of_result(const fs::path& folder) {
+  check_is_folder(folder);
   // A folder that is being replaced may look like a mix once, but not again.
   for (int looks = kLooks; looks > 1; --looks) {
     try {

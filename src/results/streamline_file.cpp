@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes streamlines as polylines in a VTU file (docs/streamlines.md). Lines do not share points.
+// Writes streamlines as polylines in the format that the name of the file says (docs/streamlines.md). Lines
+// do not share points.
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <functional>
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/writing.hpp"
+#include "files/file_mark.hpp"
 #include "files/output_file.hpp"
+#include "mesh_files/mesh_formats.hpp"
+#include "text/text_lines.hpp"
 #include "vtu/vtu_arrays.hpp"
 
 namespace crossgrain {
@@ -92,7 +97,70 @@ void add_polylines(const LinesInFile& lines, std::vector<VtuArray>& arrays) {
   arrays.push_back(value_array<Index>(VtuSection::kCells, "connectivity", lines.points(), std::identity()));
   arrays.push_back(value_array<Index>(VtuSection::kCells, "offsets", lines.size(),
                                       [&lines](std::size_t k) { return lines.points_before(k + 1); }));
+}
+
+/// All that files of VTK have of the lines, but the types of the cells.
+std::vector<VtuArray> vtk_arrays(const LinesInFile& lines) {
+  std::vector<VtuArray> arrays;
+  arrays.push_back(point_vectors<float>(
+      VtuSection::kPointData, "tangent", lines,
+      [](const Streamline& line) -> const std::vector<Vector3>& { return line.tangents; }));
+  arrays.push_back(stored_array(VtuSection::kPointData, "distance", lines.distances()));
+  add_line_data(lines, arrays);
+  arrays.push_back(point_vectors<double>(
+      VtuSection::kPoints, "Points", lines,
+      [](const Streamline& line) -> const std::vector<Vector3>& { return line.points; }));
+  if (fits_32_bits(lines.points(), lines.points()))
+    add_polylines<std::int32_t>(lines, arrays);
+  else
+    add_polylines<std::int64_t>(lines, arrays);
+  return arrays;
+}
+
+void write_vtu_lines(OutputFile& file, const LinesInFile& lines, const Monitor& monitor) {
+  std::vector<VtuArray> arrays = vtk_arrays(lines);
   arrays.push_back(uniform_types(lines.size(), kVtkPolyLine));
+  watch(arrays, monitor);
+  write_vtu(file, lines.points(), lines.size(), arrays);
+}
+
+void write_vtp_lines(OutputFile& file, const LinesInFile& lines, const Monitor& monitor) {
+  std::vector<VtuArray> arrays = vtk_arrays(lines);
+  watch(arrays, monitor);
+  write_vtp(file, lines.points(), lines.size(), arrays);
+}
+
+/// The points of all lines, then each line by their numbers from 1; without tangents and numbers of lines,
+/// for which the format has no place.
+void write_obj_lines(OutputFile& file, const LinesInFile& lines, const Monitor& monitor) {
+  file.write(text_mark("lines along the axes of a field", file.solve()));
+  std::vector<Vector3> points;
+  points.reserve(lines.points());
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    points.insert(points.end(), lines[k].points.begin(), lines[k].points.end());
+  const auto put_point = [&points](std::size_t i, char* out) {
+    const auto& [x, y, z] = points[i];
+    *out++ = 'v';
+    *out++ = ' ';
+    return put_shortest(put_shortest(put_shortest(out, x, ' '), y, ' '), z, '\n');
+  };
+  write_text_lines(file, points.size(), 3 * kNumberBytes + 2, put_point, monitor);
+  // A line takes a text of its own, as lines are of any length.
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    monitor.check();
+    std::string text = "l";
+    for (std::size_t i = lines.points_before(k); i < lines.points_before(k + 1);)
+      text += ' ' + std::to_string(++i);
+    file.write(text + '\n');
+  }
+}
+
+constexpr std::array kLineFormats{MeshFormat<LinesInFile>{".vtu", write_vtu_lines},
+                                  MeshFormat<LinesInFile>{".vtp", write_vtp_lines},
+                                  MeshFormat<LinesInFile>{".obj", write_obj_lines}};
+
+const MeshFormat<LinesInFile>& line_format_of(const std::filesystem::path& path) {
+  return format_of<LinesInFile>(path, kLineFormats, "streamlines");
 }
 
 void check_lines(std::span<const Streamline> lines) {
@@ -108,30 +176,17 @@ void check_lines(std::span<const Streamline> lines) {
 }  // namespace
 
 void check_streamline_file(const std::filesystem::path& path) {
-  const OutputFile file(path);
+  line_format_of(path);
+  OutputFile{path};
 }
 
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
                        const Monitor& monitor, const std::string& solve) {
+  const MeshFormat<LinesInFile>& format = line_format_of(path);
   check_lines(lines);
   OutputFile file(path);
   file.set_solve(solve);
-  const LinesInFile in_file(lines);
-  std::vector<VtuArray> arrays;
-  arrays.push_back(point_vectors<float>(
-      VtuSection::kPointData, "tangent", in_file,
-      [](const Streamline& line) -> const std::vector<Vector3>& { return line.tangents; }));
-  arrays.push_back(stored_array(VtuSection::kPointData, "distance", in_file.distances()));
-  add_line_data(in_file, arrays);
-  arrays.push_back(point_vectors<double>(
-      VtuSection::kPoints, "Points", in_file,
-      [](const Streamline& line) -> const std::vector<Vector3>& { return line.points; }));
-  if (fits_32_bits(in_file.points(), in_file.points()))
-    add_polylines<std::int32_t>(in_file, arrays);
-  else
-    add_polylines<std::int64_t>(in_file, arrays);
-  watch(arrays, monitor);
-  write_vtu(file, in_file.points(), in_file.size(), arrays);
+  format.write(file, LinesInFile(lines), monitor);
   file.commit();
 }
 

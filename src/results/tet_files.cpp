@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/result_folder.hpp"
+#include "crossgrain/writing.hpp"
 #include "mesh_files/hex/hex_writers.hpp"
 #include "mesh_files/hex/map_writers.hpp"
 #include "results/result_files.hpp"
@@ -88,9 +90,26 @@ std::vector<std::string> result_files(const OutputOptions& options, bool on_tets
   names.insert(names.end(), {kCellsFile, kSingularityFile, kSurfaceFile});
   for (const TetFile& file : kFiles)
     if (on_tets && is_asked_for(file, options.formats)) names.push_back(file.name);
-  if (options.hexahedra)
-    for (std::string& name : hexahedra_file_names()) names.push_back(std::move(name));
+  for (std::string& name : hexahedra_files(options)) names.push_back(std::move(name));
   names.push_back(kReportFile);
+  return names;
+}
+
+std::vector<std::string> hexahedra_files(const OutputOptions& options) {
+  if (!options.hexahedra) return {};
+  const auto inverted =
+      options.inverted_hexahedra ? InvertedHexahedra::kAllowed : InvertedHexahedra::kRefused;
+  return hexahedra_file_names(hex_files_of(*options.hexahedra, inverted));
+}
+
+std::vector<std::string> result_files(OutputOptions options, const SolveReport& report) {
+  options.hexahedra.reset();
+  std::vector<std::string> names = result_files(options, report.onto.has_value());
+  if (!report.hexahedra) return names;
+  const HexReport& hexahedra = *report.hexahedra;
+  const bool for_display_only = hexahedra.quality.inverted > 0 && !options.inverted_hexahedra;
+  for (std::string& name : hexahedra_file_names({is_partial(hexahedra.outcome), for_display_only}))
+    names.insert(names.end() - 1, std::move(name));
   return names;
 }
 
@@ -98,7 +117,7 @@ std::vector<std::string> all_result_files() {
   std::vector<std::string> names{kPageFile,        kStreamlinesFile, kCellsFile, kPiecesFile,
                                  kSingularityFile, kSurfaceFile,     kReportFile};
   for (const TetFile& file : kFiles) names.push_back(file.name);
-  for (std::string& name : hexahedra_file_names()) names.push_back(std::move(name));
+  for (std::string& name : all_hexahedra_file_names()) names.push_back(std::move(name));
   return names;
 }
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <unordered_map>
 
+#include "base/degree.hpp"
 #include "singularity/chains.hpp"
 #include "surface/edge_uses.hpp"
 
@@ -17,11 +17,8 @@ namespace {
 using Edge = SolidCrease::Edge;
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr double kDegree = std::numbers::pi / 180;
-
-/// Smallest angle by which the surface turns at a crease, and by which a crease turns at a corner: as on tets
-/// (tets/boundary_vertices.hpp).
-constexpr double kSharpDeg = 30, kBendDeg = 45;
+/// Smallest angle by which a crease turns at a corner: as on tets (tets/boundary_vertices.hpp).
+constexpr double kBendDeg = 45;
 
 /// The edge if two triangles run along it in opposite directions and it is long enough to have one.
 std::optional<Edge> edge_of(const SolidSurface& surface, std::span<const EdgeUse> uses) {

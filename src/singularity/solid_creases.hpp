@@ -43,12 +43,17 @@ struct SolidCreases {
 struct SolidSurface {
   std::span<const Vector3> vertices;
   std::span<const std::array<std::uint32_t, 3>> triangles;
+  std::span<const std::int32_t> faces =
+      {};  ///< of the model, of each triangle; empty if they have no numbers
 };
 
 /// Returns the creases: edges of two triangles that turn by more than 30 degrees, joined where two meet that
 /// turn by less than 45. Edges of other numbers of triangles are none. Their order depends on the
 /// numbers of vertices only.
 SolidCreases solid_creases(const SolidSurface& surface);
+
+/// Smallest angle by which the surface turns at a crease: as on tets (tets/boundary_vertices.hpp).
+constexpr double kSharpDeg = 30;
 
 /// Unit normal of a triangle; {0, 0, 0} if it has no area.
 Vector3 normal_of(const SolidSurface& surface, std::uint32_t triangle);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "singularity/corner_faces.hpp"
 #include "singularity/cube_group.hpp"
 #include "singularity/matching.hpp"
 #include "singularity/singularity_tuning.hpp"
@@ -59,7 +60,7 @@ class SurfaceJudge {
  public:
   SurfaceJudge(const SolidSurface& surface, const SolidCreases& creases, const SurfaceCells& cells,
                const SingularityGraph& graph)
-      : surface_(surface), creases_(creases), cells_(cells), graph_(graph) {}
+      : surface_(surface), creases_(creases), cells_(cells), graph_(graph), fans_(surface) {}
 
   void judge(const VotesAlong& votes_along, Summary& summary) {
     judged_.resize(creases_.creases.size());
@@ -104,7 +105,8 @@ class SurfaceJudge {
             .length = crease.length,
             .followed = judged.followed,
             .verdict = verdict_of(crease),
-            .place = 0.5 * (surface_.vertices[sharpest.ends[0]] + surface_.vertices[sharpest.ends[1]])};
+            .place = 0.5 * (surface_.vertices[sharpest.ends[0]] + surface_.vertices[sharpest.ends[1]]),
+            .faces = fans_.beside(sharpest)};
   }
 
   bool has_other_than_flat(const SolidCorner& corner) const {
@@ -127,6 +129,9 @@ class SurfaceJudge {
       if (k != kFlat) result.creases.push_back(k);
     result.hexahedra = hexahedra_at_surface_vertex(result.arcs, result.creases);
     result.verdict = link ? Verdict::kMeshable : verdict_without_link(corner, valences);
+    const CornerFaces around = fans_.at(corner.vertex);
+    result.faces = around.faces;
+    result.narrowest_deg = around.narrowest_deg;
     return result;
   }
 
@@ -214,6 +219,7 @@ class SurfaceJudge {
   const SolidCreases& creases_;
   const SurfaceCells& cells_;
   const SingularityGraph& graph_;
+  const SurfaceFans fans_;
   std::vector<JudgedCrease> judged_;
   std::map<std::pair<std::vector<int>, std::vector<int>>, std::optional<bool>> links_;
 };

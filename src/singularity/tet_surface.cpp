@@ -76,7 +76,8 @@ std::vector<double> surface_sizes(const TetSolid& solid) {
 
 SolveReport::Singularity tet_summary(const TetSolid& solid, std::span<const Quaternion> frames,
                                      const SingularityGraph& graph) {
-  const SolidSurface surface{solid.mesh.vertices, solid.boundary};
+  const std::vector<std::int32_t> faces = tags_of_faces(solid.mesh, solid.boundary);
+  const SolidSurface surface{solid.mesh.vertices, solid.boundary, faces};
   const TetFan fan(solid);
   const auto votes_along = [&](const SolidCrease& crease) {
     std::vector<CreaseVote> votes;

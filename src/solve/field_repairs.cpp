@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <utility>
 
+#include "base/degree.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
@@ -30,8 +30,6 @@ namespace crossgrain {
 namespace {
 
 using Repair = SolveReport::Onto::Repair;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The frames of vertices that suit those of tets: nearest to the mean around, by volume, and exactly along
 /// the normal at smooth vertices of the surface.

@@ -13,6 +13,7 @@
 #include "field/memory_budget.hpp"
 #include "field/nested_solve.hpp"
 #include "field/solve_forecast.hpp"
+#include "measure/part_size.hpp"
 
 namespace crossgrain {
 namespace {
@@ -52,7 +53,7 @@ double total_area(const Surface& surface) {
 
 /// Returns about how many cells of a size are needed at least.
 double cells_of_size(double size, const Surface& surface) {
-  return kCellsPerFace * total_area(surface) / (size * size);
+  return kCellsPerFace * total_area(surface) / size / size;
 }
 
 /// Returns about how much memory this process needs with so many cells.
@@ -65,7 +66,7 @@ double memory_with(double cells) {
 Warning thin_walls_warning(const SolveReport& report, const Surface& surface, const SolveOptions& options) {
   const SolveReport::Walls& walls = report.walls;
   std::string text = fmt::format(
-      "walls below {:g} cells under {:.0f} % of the surface: under-resolved there, and resolved "
+      "walls below {:g} cells under {:.2g} % of the surface: under-resolved there, and resolved "
       "with {} cells along the longest side",
       walls.cells_wanted, 100 * walls.thin_share, walls.resolution_needed);
   const double needed =
@@ -130,16 +131,11 @@ void check_surface_memory(const TriangleMesh& mesh, const SolveOptions& options)
 void check_size(const Surface& surface, const SolveOptions& options) {
   check_scale(surface.box);
   const double size = longest_side(surface.box), asked = finest_cell_size(surface.box, options);
-  if (asked > size / kSmallestResolution * (1 + 1e-9)) {
-    throw Error(
-        ErrorKind::kUsage,
-        fmt::format("cells of {:.3g} are too large for a model {:.3g} across, which needs {} along the "
-                    "longest side",
-                    asked, size, kSmallestResolution),
-        Remedy::kRaiseResolution);
-  }
   const double largest = std::ldexp(asked, kMostLevelsLeftOut);
   const double cells = cells_of_size(largest, surface), needed = memory_with(cells);
+  if (options.cell_size > 0)
+    check_asked_size({asked, "cells", kSmallestResolution, kDefaultResolution, cells, Remedy::kGiveCellSize},
+                     part_size(surface));
   const auto allowed = static_cast<double>(allowed_memory_bytes(options.max_memory_bytes));
   if (cells < kNoCell && needed <= allowed) return;
   if (!(cells < kNoCell))
@@ -182,7 +178,7 @@ std::vector<Warning> resolution_warnings(const SolveReport& report, const Surfac
   if (report.alignment_deg.excluded_share > kExcludedShareToWarnOf) {
     warnings.emplace_back(
         WarningKind::kExcludedSurface,
-        fmt::format("{:.0f} % of the surface lies in cells whose constraints no frame meets, and is left "
+        fmt::format("{:.2g} % of the surface lies in cells whose constraints no frame meets, and is left "
                     "out of alignment_deg",
                     100 * report.alignment_deg.excluded_share));
   }

@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "base/degree.hpp"
 #include "base/vector3.hpp"
 #include "surface/crease_network.hpp"
 #include "surface/edge_uses.hpp"
 
 namespace crossgrain {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Returns the cosine of the angle between the normals on one side of an edge, regardless of the triangles'
 /// orientation.

@@ -10,15 +10,18 @@
 #include <utility>
 #include <vector>
 
+#include "archives/gzip.hpp"
 #include "base/names.hpp"
 #include "base/system_memory.hpp"
 #include "base/vector3.hpp"
 #include "cad_reading/cad_reader.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/features.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/reading.hpp"
 #include "crossgrain/tet_making.hpp"
+#include "measure/part_size.hpp"
 #include "mesh_files/surface/surface_reader.hpp"
 #include "surface/model_faces.hpp"
 #include "surface/solid_split.hpp"
@@ -75,24 +78,22 @@ constexpr double kTetsPerCube = 6 * 1.4142135623730951;
 /// Tets that may be expected at most.
 constexpr double kMostTets = 20000000;
 
-/// Returns the size of the tets. Throws if there would be too many.
-double size_for(const TriangleMesh& mesh, const TetMakingTuning& options) {
-  const double size = options.size_for(longest_side(box_of_solid_triangles(mesh)));
-  double volume = 0, area = 0;
-  for (const auto& triangle : mesh.triangles) {
-    const auto [a, b, c] = corners_of(triangle, mesh.vertices);
-    const Vector3& origin = mesh.vertices[mesh.triangles[0][0]];
-    volume += dot(a - origin, cross(b - origin, c - origin)) / 6;
-    area += norm(cross(b - a, c - a)) / 2;
-  }
+/// Returns the size of the tets in a closed surface. Throws if it does not suit the part, or if there would
+/// be too many.
+double size_for(const SearchableSurface& surface, const TetMakingTuning& options) {
+  const PartSize part = part_size(surface.surface());
+  const double size = options.size_for(part.longest);
   // Walls thinner than the size have at least a layer of tets beneath their triangles.
-  const double expected =
-      std::max(kTetsPerCube * std::abs(volume) / (size * size * size), area / (size * size));
+  const double expected = std::max(kTetsPerCube * part.volume / size / size / size, part.area / size / size);
+  if (options.on_solid)
+    options.on_solid(surface);
+  else if (options.size > 0)
+    check_asked_size({size, "tets", 1, 20, expected, Remedy::kGiveTetSize}, part);
   if (expected <= kMostTets) return size;
   throw Error(ErrorKind::kLimit,
-              fmt::format("about {:.2g} tets of the size {:.4g} are to be expected, but at most {:.2g} are "
-                          "allowed",
-                          expected, size, kMostTets),
+              fmt::format("about {:.2g} tets of the size {:.4g} are to be expected in a part {} across, but "
+                          "at most {:.2g} are allowed",
+                          expected, size, length_text(part.longest, part.unit), kMostTets),
               Remedy::kTakeLargerTets);
 }
 
@@ -206,9 +207,12 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning&
   reading.glue = options.glue;
   reading.max_memory_bytes = options.max_memory_bytes;
   reading.cad_program = options.cad_program;
-  const CadModel model = read_cad(file, format, reading, monitor, CadContent::kWithSolids);
-  const TetJob job = job_of(size_for(model.mesh, options), options, monitor);
+  CadModel model = read_cad(file, format, reading, monitor, CadContent::kWithSolids);
+  model.mesh = with_unit(std::move(model.mesh), options.unit, file.name());
+  monitor.tell(summary_of(model.mesh));
   check_solids(model);
+  const SearchableSurface faces(prepare_surface(weld(model.mesh)));
+  const TetJob job = job_of(size_for(faces, options), options, monitor);
   const Programs programs = programs_of(options);
   monitor.report({Phase::kMakeTets, 0, 0, 0, 0});
   Attempts attempts;
@@ -257,7 +261,7 @@ TetMesh triangle_tets(TriangleMesh given, const TetMakingTuning& options, const 
   const std::vector<Warning> reading = std::move(mesh.warnings);
   const SearchableSurface surface(mend_surface(CheckedMesh::derived(std::move(mesh))));
   const std::vector<Warning> mended = check_bounds_solid(surface);
-  const TetJob job = job_of(size_for(surface.surface().mesh, options), options, monitor);
+  const TetJob job = job_of(size_for(surface, options), options, monitor);
   const Programs programs = programs_of(options);
   monitor.report({Phase::kMakeTets, 0, 0, 0, 0});
   Attempts attempts;
@@ -318,8 +322,10 @@ TetMesh make_tets(const std::filesystem::path& model, const TetMakingTuning& opt
     if (is_tet_file(model))
       throw Error(ErrorKind::kInput, "holds tets already; solve on these, or give a surface or a CAD file");
     if (const auto format = cad_format_of(model))
-      return cad_tets(InputFile(model), *format, options, monitor);
-    return triangle_tets(read_surface(model, ReadOptions(), monitor), options, monitor);
+      return cad_tets(read_unpacked(model), *format, options, monitor);
+    ReadOptions reading;
+    reading.unit = options.unit;
+    return triangle_tets(read_surface(model, reading, monitor), options, monitor);
   } catch (const Error& error) {
     const bool is_of_model =
         error.file().empty() && (error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit);

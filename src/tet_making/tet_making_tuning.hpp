@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 #include "crossgrain/tet_making.hpp"
+#include "surface/searchable_surface.hpp"
 
 namespace crossgrain {
 
@@ -15,6 +17,10 @@ struct TetMakingTuning : TetMakingOptions {
 
   /// Remeshing::smallest_share.
   double smallest_share = 0.1;
+
+  /// Unless empty, judges whether the sizes suit the part, in place of what is usual of tets: called with its
+  /// closed surface before tets are made.
+  std::function<void(const SearchableSurface& part)> on_solid = {};
 
   /// The programs; if empty, those of `cad_program`, `gmsh_program` and `netgen_program`.
   std::filesystem::path cad_program = {};

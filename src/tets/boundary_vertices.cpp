@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "base/ascending.hpp"
+#include "base/degree.hpp"
 #include "base/vector3.hpp"
 #include "surface/crease_network.hpp"
 #include "surface/edge_uses.hpp"
@@ -14,8 +14,6 @@
 
 namespace crossgrain {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The sharp edges at a vertex; only the first two are needed.
 struct SharpEdges {

@@ -32,10 +32,20 @@ constexpr std::array kSignatures = {
     kVtkXml,
     FileSignature{"<?xml", "an XML file", ""},
     FileSignature{"glTF", "a glTF file", ""},
-    FileSignature{"PK\x03\x04", "a ZIP archive", ""},
-    FileSignature{"\x1f\x8b", "a gzip archive", ""},
+    FileSignature{"\x1f\x8b", "a gzip archive", ".gz"},
     FileSignature{"\x89HDF", "an HDF5 file", ""},
 };
+
+constexpr std::string_view kZip = "PK\x03\x04";
+constexpr FileSignature kFreeCad = {kZip, "a document of FreeCAD", ".FCStd"};
+constexpr FileSignature k3mf = {kZip, "a 3MF file", ".3mf"};
+constexpr FileSignature kArchive = {kZip, "a ZIP archive", ""};
+
+/// By the names of members, which stand in the directory at the end.
+const FileSignature* zip_signature_of(std::string_view bytes) {
+  const auto names = [bytes](std::string_view name) { return bytes.rfind(name) != std::string_view::npos; };
+  return names(".model") ? &k3mf : names("Document.xml") ? &kFreeCad : &kArchive;
+}
 
 }  // namespace
 
@@ -45,6 +55,7 @@ const FileSignature* signature_of(std::string_view bytes) {
   if (bytes.starts_with("<?xml") &&
       bytes.substr(0, kLongestPrologue).find(kVtkXml.beginning) != std::string_view::npos)
     return &kVtkXml;
+  if (bytes.starts_with(kZip)) return zip_signature_of(bytes);
   for (const FileSignature& signature : kSignatures) {
     if (bytes.starts_with(signature.beginning)) return &signature;
   }

@@ -32,10 +32,6 @@ bool is_line_end(char c) {
   return character(c) == Character::kLineEnd;
 }
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 /// Returns the exponent after the 'e' of a number; a huge value if it does not fit into 64 bits.
 std::int64_t power_of_ten(std::string_view digits) {
   constexpr std::int64_t kFarOut = std::int64_t{1} << 60;
@@ -158,11 +154,6 @@ std::int64_t TextScanner::integer(std::string_view word, const char* what) const
   if (code != std::errc() || stop != end)
     fail(fmt::format("{} instead of {} (a whole number)", in_quotes(word), what));
   return value;
-}
-
-bool equals_ignoring_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 }  // namespace crossgrain

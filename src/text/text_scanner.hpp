@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/ignoring_case.hpp"
 #include "files/input_file.hpp"
 
 namespace crossgrain {
@@ -61,8 +62,5 @@ class TextScanner {
   std::size_t line_;
   std::size_t next_check_ = 0;  ///< position from which a stop is looked for
 };
-
-/// Returns whether two words are equal up to the case of their letters.
-bool equals_ignoring_case(std::string_view a, std::string_view b);
 
 }  // namespace crossgrain

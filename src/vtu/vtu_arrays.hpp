@@ -76,7 +76,7 @@ VtuArray constant_array(const char* name, std::vector<T> values) {
 }
 
 // Types of cells (vtkCellType.h).
-inline constexpr std::uint8_t kVtkLine = 3, kVtkPolyLine = 4, kVtkTriangle = 5, kVtkTet = 10, kVtkVoxel = 11,
+inline constexpr std::uint8_t kVtkLine = 3, kVtkPolyLine = 4, kVtkTriangle = 5, kVtkTet = 10,
                               kVtkHexahedron = 12;
 
 /// Array of types for `cells` cells of one type.

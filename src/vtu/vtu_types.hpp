@@ -42,7 +42,7 @@ constexpr std::string_view vtu_name_of(NumberType type) {
 }
 
 /// Section of the file that holds an array, in the order of the file. kPoints holds the positions; kCells
-/// holds "connectivity", "offsets" and "types".
+/// holds "connectivity", "offsets" and, unless all are polylines, "types".
 enum class VtuSection { kFieldData, kPointData, kCellData, kPoints, kCells };
 
 inline constexpr std::array<std::string_view, 5> kVtuSectionNames = {"FieldData", "PointData", "CellData",

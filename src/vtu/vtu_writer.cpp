@@ -33,9 +33,11 @@ constexpr std::size_t kOffsetBytes = 29;
 /// stable distributions), it puts off a token until twice as much of it is there, so that ParaView 5.11 of
 /// Debian 12 and 5.12.0 pass on data as XML, and fail. If a block ends with the name of the tag, VTK passes
 /// its attributes one character at a time; expat looks at 13, 26 and 52 of them, and with 25 to 37 between
-/// name and ">" the last is at the end. tests/python/paraview_test.py opens files in such a ParaView.
+/// name and ">" the last is at the end. The blanks stand before the attribute, since meshio looks for a tag
+/// that ends with '">'. tests/python/paraview_test.py opens files in such a ParaView, other_packages_test.py
+/// in meshio and in VTK.
 constexpr std::size_t kReadBlock = 4096;
-constexpr std::string_view kDataAttributes = " encoding=\"raw\"               ";
+constexpr std::string_view kDataAttributes = "                encoding=\"raw\"";
 static_assert(kVtuDataTag.size() == 13 && kDataAttributes.size() == 30);
 
 std::string escaped(const std::string& text) {
@@ -53,10 +55,19 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+/// What a kind of grid is called in a file.
+struct GridNames {
+  std::string_view grid;
+  std::string_view count_of_cells;  ///< attribute of <Piece>
+  std::string_view cells;           ///< section of VtuSection::kCells
+};
+constexpr GridNames kUnstructuredGrid{"UnstructuredGrid", "NumberOfCells", "Cells"};
+constexpr GridNames kPolylines{"PolyData", "NumberOfLines", "Lines"};
+
 class VtuWriter {
  public:
-  VtuWriter(OutputFile& file, const std::vector<VtuArray>& arrays)
-      : file_(file), arrays_(arrays), offset_places_(arrays.size()) {}
+  VtuWriter(OutputFile& file, const GridNames& names, const std::vector<VtuArray>& arrays)
+      : file_(file), names_(names), arrays_(arrays), offset_places_(arrays.size()) {}
 
   void write(std::size_t points, std::size_t cells) {
     write_header(points, cells);
@@ -75,15 +86,16 @@ class VtuWriter {
     file_.write(kXmlMark);
     if (!file_.solve().empty()) file_.write(fmt::format("\n{}{} -->", kXmlSolve, file_.solve()));
     file_.write(
-        "\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-        "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
-        "  <UnstructuredGrid>\n");
+        fmt::format("\n<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                    "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <{0}>\n",
+                    names_.grid));
     write_section(VtuSection::kFieldData);
-    file_.write(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", points, cells));
+    file_.write(
+        fmt::format("    <Piece NumberOfPoints=\"{}\" {}=\"{}\">\n", points, names_.count_of_cells, cells));
     for (const VtuSection section :
          {VtuSection::kPointData, VtuSection::kCellData, VtuSection::kPoints, VtuSection::kCells})
       write_section(section);
-    file_.write("    </Piece>\n  </UnstructuredGrid>\n");
+    file_.write(fmt::format("    </Piece>\n  </{}>\n", names_.grid));
     begin_data();
   }
 
@@ -97,7 +109,8 @@ class VtuWriter {
   }
 
   void write_section(VtuSection section) {
-    file_.write(fmt::format("    <{}>\n", name_of(section)));
+    const std::string_view name = section == VtuSection::kCells ? names_.cells : name_of(section);
+    file_.write(fmt::format("    <{}>\n", name));
     for (std::size_t i = 0; i < arrays_.size(); ++i) {
       const VtuArray& array = arrays_[i];
       if (array.section != section) continue;
@@ -108,7 +121,7 @@ class VtuWriter {
       offset_places_[i] = file_.position();
       file_.write(std::string(kOffsetBytes, ' ') + "/>\n");
     }
-    file_.write(fmt::format("    </{}>\n", name_of(section)));
+    file_.write(fmt::format("    </{}>\n", name));
   }
 
   void write_data(const VtuArray& array) {
@@ -173,21 +186,31 @@ class VtuWriter {
   }
 
   OutputFile& file_;
+  const GridNames& names_;
   const std::vector<VtuArray>& arrays_;
   std::vector<std::uint64_t> offset_places_;
   std::uint64_t data_begin_ = 0;
   std::array<Slots, 2> slots_;
 };
 
-}  // namespace
-
-void write_vtu(OutputFile& file, std::size_t points, std::size_t cells, const std::vector<VtuArray>& arrays) {
+void write_grid(OutputFile& file, const GridNames& names, std::size_t points, std::size_t cells,
+                const std::vector<VtuArray>& arrays) {
   for ([[maybe_unused]] const VtuArray& array : arrays) {
     assert(array.components > 0);
     assert(array.section != VtuSection::kPointData || array.tuples == points);
     assert(array.section != VtuSection::kCellData || array.tuples == cells);
   }
-  VtuWriter(file, arrays).write(points, cells);
+  VtuWriter(file, names, arrays).write(points, cells);
+}
+
+}  // namespace
+
+void write_vtu(OutputFile& file, std::size_t points, std::size_t cells, const std::vector<VtuArray>& arrays) {
+  write_grid(file, kUnstructuredGrid, points, cells, arrays);
+}
+
+void write_vtp(OutputFile& file, std::size_t points, std::size_t lines, const std::vector<VtuArray>& arrays) {
+  write_grid(file, kPolylines, points, lines, arrays);
 }
 
 }  // namespace crossgrain

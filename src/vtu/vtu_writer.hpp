@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes VTK XML UnstructuredGrid files (.vtu): appended raw data in zlib blocks. See vtu_types.hpp for the
-// layout.
+// Writes VTK XML files, UnstructuredGrid (.vtu) and PolyData (.vtp): appended raw data in zlib blocks. See
+// vtu_types.hpp for the layout.
 //
 // Data are streamed: the caller fills a few blocks, which are compressed in parallel while those before them
 // are written, so memory does not grow with the field. Offsets and block sizes precede the data in the file;
@@ -51,5 +51,8 @@ VtuArray vtu_array(VtuSection section, std::string name, std::size_t components,
 /// must have one row per point, cell data one per cell. The bytes do not depend on the number of threads.
 /// Throws Error(kOutput), and what a producer throws. `file` must be a regular file.
 void write_vtu(OutputFile& file, std::size_t points, std::size_t cells, const std::vector<VtuArray>& arrays);
+
+/// Writes polylines as PolyData in the same manner. Cells have no array of types.
+void write_vtp(OutputFile& file, std::size_t points, std::size_t lines, const std::vector<VtuArray>& arrays);
 
 }  // namespace crossgrain

@@ -70,6 +70,15 @@ TEST(Monitor, HandsReportsToItsListener) {
   EXPECT_EQ(reports[0].energy, 0.5);
 }
 
+TEST(Monitor, OfAPartIsStoppedWithTheWholeButHasNothingToReturnForIt) {
+  Monitor whole;
+  whole.allow_stops();
+  const Monitor part(whole, [](Progress&) {});
+  EXPECT_FALSE(part.may_be_stopped());
+  whole.stop();
+  EXPECT_TRUE(part.stopped());
+}
+
 TEST(Phase, HasANameForDisplay) {
   EXPECT_STREQ(name_of(Phase::kRead), "read");
   EXPECT_STREQ(name_of(Phase::kGrid), "grid");
@@ -79,8 +88,10 @@ TEST(Phase, HasANameForDisplay) {
   EXPECT_STREQ(name_of(Phase::kWrite), "write");
   EXPECT_STREQ(name_of(Phase::kMakeTets), "make tets");
   EXPECT_STREQ(name_of(Phase::kRepair), "repair");
+  EXPECT_STREQ(name_of(Phase::kMap), "map");
   EXPECT_STREQ(name_of(Phase::kHexahedra), "hexahedra");
-  EXPECT_STREQ(name_of(static_cast<Phase>(9)), "");
+  EXPECT_STREQ(name_of(Phase::kSmooth), "smooth");
+  EXPECT_STREQ(name_of(static_cast<Phase>(11)), "");
 }
 
 TEST(Monitor, WithoutListenerTakesReportsToo) {

@@ -804,9 +804,9 @@ TEST(HexahedraAreWrittenAloneAndWithTheirField) {
   crossgrain_options* options = of_hexahedra(CROSSGRAIN_HEX_MESHING_OPTIONS, "hexahedra.cells", 2);
   crossgrain_hexahedra* hexahedra = NULL;
   OK(crossgrain_hexahedra_make_in_tets(domain, options, NULL, &hexahedra, &g_error));
-  OK(crossgrain_hexahedra_write(hexahedra, "cube.msh", NULL, &g_error));
+  OK(crossgrain_hexahedra_write(hexahedra, "cube.msh", 0, NULL, &g_error));
   CHECK(exists("cube.msh"));
-  FAILS(CROSSGRAIN_USAGE, "cube.stl", crossgrain_hexahedra_write(hexahedra, "cube.stl", NULL, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "cube.stl", crossgrain_hexahedra_write(hexahedra, "cube.stl", 0, NULL, &g_error));
   OK(crossgrain_hexahedra_write_folder(hexahedra, "cube.hexahedra", NULL, "cube.mesh", 0, NULL, NULL,
                                        &g_error));
   CHECK(exists("cube.hexahedra/hexahedra.inp") && exists("cube.hexahedra/onto.vtu"));

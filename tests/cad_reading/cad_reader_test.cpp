@@ -2,6 +2,7 @@
 // CAD files, made on the spot by tests/cad_reading/make_cad_files.cpp, and those of the shared folder.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -238,6 +239,50 @@ TEST(ReadCad, LengthsAreMillimetresAndTheUnitOfTheFileIsTold) {
   EXPECT_EQ(read_made("plate.brep").file_unit, "");
 }
 
+/// A made STEP file with `to` in place of each `from`, of which there must be some.
+TriangleMesh read_with(const char* name, const std::string& from, const std::string& to,
+                       std::size_t most = 99) {
+  std::string content = content_of(cad_files() / name);
+  std::size_t place = content.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  for (; place != std::string::npos && most-- > 0; place = content.find(from, place + to.size()))
+    content.replace(place, from.size(), to);
+  const TemporaryFolder folder;
+  return read_surface(folder.write("a.step", content));
+}
+
+bool warns_of_units(const TriangleMesh& mesh) {
+  return std::any_of(mesh.warnings.begin(), mesh.warnings.end(),
+                     [](const Warning& warning) { return warning.kind == WarningKind::kUnknownUnit; });
+}
+
+TEST(ReadCad, TheUnitOfAStepFileIsThatOfTheContextsOfItsShapes) {
+  // As NIST's parts in AP242 have it.
+  const TriangleMesh inches =
+      read_with("inch.stp", "LENGTH_MEASURE_WITH_UNIT(25.4,", "MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),");
+  EXPECT_EQ(inches.file_unit, "inch");
+  EXPECT_FALSE(warns_of_units(inches));
+  EXPECT_NEAR(box_of_vertices(inches).high[0], 40, 1e-6);
+
+  const TriangleMesh metres = read_with("plate.step", "SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT($,.METRE.)");
+  EXPECT_EQ(metres.file_unit, "m");
+  EXPECT_NEAR(box_of_vertices(metres).high[0], 40'000, 1e-3);
+
+  // The first of two contexts, that of the assembly, holds no shape itself.
+  EXPECT_EQ(read_with("assembly.step", "SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT(.CENTI.,.METRE.)", 1).file_unit,
+            "mm");
+  EXPECT_EQ(read_with("assembly.step", "SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT(.CENTI.,.METRE.)").file_unit,
+            "cm");
+}
+
+TEST(ReadCad, AStepFileWithoutAUnitGetsAWarning) {
+  const TriangleMesh mesh = read_with("plate.step", "LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)",
+                                      "NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT()");
+  EXPECT_EQ(mesh.file_unit, "");
+  EXPECT_TRUE(warns_of_units(mesh));
+  EXPECT_NEAR(box_of_vertices(mesh).high[0], 40, 1e-6);
+}
+
 TEST(ReadCad, FacesWithoutASolidAreSewnWithAWarning) {
   for (const char* name : {"loose.brep", "shell.brep", "faces.iges"}) {
     SCOPED_TRACE(name);
@@ -267,6 +312,13 @@ TEST(ReadCad, RefusesWhatHasNoFaces) {
 
 TEST(ReadCad, RefusesAFaceWithoutBounds) {
   EXPECT_NE(input_error_of(cad_files() / "endless.brep").find("without bounds"), std::string::npos);
+}
+
+TEST(ReadCad, RefusesOpenFacesAlone) {
+  for (const char* name : {"face.brep", "faces_apart.brep"}) {
+    const std::string message = input_error_of(cad_files() / name);
+    EXPECT_NE(message.find("encloses nothing; close it"), std::string::npos) << message;
+  }
 }
 
 TEST(ReadCad, RefusesOptionsOutOfRange) {

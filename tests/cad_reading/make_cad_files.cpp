@@ -3,8 +3,10 @@
 #include <BOPAlgo_Builder.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -24,6 +26,7 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <stdexcept>
 #include <string>
@@ -119,6 +122,40 @@ TopoDS_Shape overlapping_boxes() {
   return together(box({0, 0, 0}, {10, 10, 10}), box({5, 2, 2}, {15, 8, 8}));
 }
 
+TopoDS_Shape copy_of(const TopoDS_Shape& shape) {
+  return BRepBuilderAPI_Copy(shape).Shape();
+}
+
+TopoDS_Shape shell_of(const TopoDS_Shape& solid) {
+  return TopExp_Explorer(solid, TopAbs_SHELL).Current();
+}
+
+TopoDS_Shape ball(const gp_Dir& axis) {
+  return BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(1, 2, 3), axis), 5).Shape();
+}
+
+/// Some faces of a shape, each a copy that looks the other way.
+TopoDS_Shape faces_turned(const TopoDS_Shape& shape, int count) {
+  const BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More() && count-- > 0; faces.Next())
+    builder.Add(compound, copy_of(faces.Current()).Reversed());
+  return compound;
+}
+
+/// A cube of 10 with a void of 4 by 4 by 4 in its middle, and a cube that fills the void.
+TopoDS_Shape filled_void() {
+  const TopoDS_Shape core = box({3, 3, 3}, {7, 7, 7});
+  return together(BRepAlgoAPI_Cut(box({0, 0, 0}, {10, 10, 10}), core).Shape(), copy_of(core));
+}
+
+/// A solid between two others that are like it.
+TopoDS_Shape bricks() {
+  const TopoDS_Shape outer = together(box({0, 0, 0}, {1, 2, 3}), box({2, 0, 0}, {3, 2, 3}));
+  return together(outer, box({1, 0, 0}, {2, 2, 3}));
+}
+
 /// The same box twice, once as it is and once turned by a right angle about z and moved by 100 along x: from
 /// 90 to 100 along x.
 TopoDS_Shape assembly() {
@@ -137,6 +174,12 @@ TopoDS_Shape inside_out() {
   for (TopExp_Explorer shells(box({0, 0, 0}, {1, 2, 3}), TopAbs_SHELL); shells.More(); shells.Next())
     builder.Add(solid, shells.Current().Reversed());
   return solid;
+}
+
+/// A disc, which is open.
+TopoDS_Shape disc(const gp_Pnt& centre) {
+  const gp_Circ circle(gp_Ax2(centre, gp_Dir(0, 0, 1)), 5);
+  return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle))).Shape();
 }
 
 /// The faces of a box, all but the first `missing`, as a shell or each by itself.
@@ -211,11 +254,24 @@ void write_all(const Folder& folder) {
   folder.step(plate_with_pin(), "pin.step", "MM");
   folder.brep(overlapping_boxes(), "overlapping.brep");
   folder.brep(assembly(), "assembly.brep");
+  folder.brep(together(shell_of(plate()), plate()), "copied_shell.brep");
+  const TopoDS_Shape solid = ball({0, 0, 1});
+  folder.brep(together(shell_of(solid), solid), "own_shell.brep");
+  folder.brep(together(solid, shell_of(ball({1, 1, 0})).Reversed()), "turned_shell.brep");
+  folder.brep(together(plate(), faces_turned(plate(), 7)), "copied_faces.brep");
+  folder.brep(together(plate(), faces_turned(plate(), 3)), "some_faces.brep");
+  folder.step(together(plate(), plate()), "twice.step", "MM");
+  folder.iges(together(plate(), copy_of(plate())), "doubled.iges", "MM", false);
+  folder.brep(filled_void(), "filled_void.brep");
+  folder.brep(bricks(), "bricks.brep");
+  folder.brep(together(box({0, 0, 0}, {1, 2, 3}), shell_of(box({1, 0, 0}, {3, 2, 3}))), "shell_beside.brep");
   folder.step(assembly(), "assembly.step", "MM");
   folder.brep(inside_out(), "inside_out.brep");
   folder.brep(faces_of_box(0, true), "shell.brep");
   folder.brep(faces_of_box(0, false), "loose.brep");
   folder.brep(faces_of_box(1, true), "open.brep");
+  folder.brep(disc({0, 0, 0}), "face.brep");
+  folder.brep(together(disc({0, 0, 0}), disc({0, 0, 20})), "faces_apart.brep");
   folder.brep(BRepBuilderAPI_MakeFace(gp_Pln()).Shape(), "endless.brep");
   folder.brep(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape(), "curve.brep");
 }

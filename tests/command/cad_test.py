@@ -6,6 +6,7 @@ its own, which ends with the program.
 CROSSGRAIN_CAD_FILES is the program that makes the files; without it Crossgrain was built without OpenCASCADE.
 """
 
+import gzip
 import json
 import os
 import shutil
@@ -14,10 +15,11 @@ import subprocess
 import time
 import unittest
 
+from field_reader import read_arrays
 from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, no_more_processes, stl_bytes
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
-INPUT, LIMIT, INTERRUPTED = 3, 5, 130
+USAGE, INPUT, LIMIT, INTERRUPTED = 2, 3, 5, 130
 
 
 STEP = "ISO-10303-21;\nEND-ISO-10303-21;\n"
@@ -128,6 +130,32 @@ class WithTheReader(CommandTest):
         model = self.solve("plate.brep", "--resolution", "8")[1]["model"]
         self.assertNotIn("unit", model)
         self.assertNotIn("file_unit", model)
+
+    def test_open_faces_alone_are_refused_by_every_command(self):
+        for command in ("solve", "tets", "hex"):
+            for name, words in (("face.brep", "one open face"), ("faces_apart.brep", "2 open faces")):
+                with self.subTest(command=command, name=name):
+                    before = self.names()
+                    self.assert_fails(self.run_here(command, name), INPUT, f"{name}: has {words}", "encloses nothing; close it")
+                    self.assertEqual(self.names(), before)
+
+    def test_packed_files_are_solved_as_they_are_and_name_the_folder(self):
+        self.write("plate.step.gz", gzip.compress((self.folder / "plate.step").read_bytes()))
+        self.solve("plate.step", "--resolution", "8", "--no-report")
+        self.assert_succeeds(self.run_here("solve", "plate.step.gz", "--resolution", "8", "--no-report", "--quiet"))
+        self.assertEqual(read_arrays(self.folder / "out" / "field.vtu")["frame"].tobytes(),
+                         read_arrays(self.folder / "plate.frames" / "field.vtu")["frame"].tobytes())
+    def test_a_unit_is_for_files_that_name_none(self):
+        model = self.solve("plate.brep", "--resolution", "8", "--unit", "mm")[1]["model"]
+        self.assertEqual(model["unit"], "mm")
+        self.assertNotIn("file_unit", model)
+        self.assertEqual(self.solve("inch.stp", "--resolution", "8", "--unit", "mm")[1]["model"]["unit"], "mm")
+        result = self.run_here("solve", "inch.stp", "--resolution", "8", "--unit", "m", "-o", "other")
+        self.assert_fails(result, USAGE, "crossgrain: inch.stp: names its unit, inch, and is read in mm", "unit m is for files that name none")
+
+    def test_the_model_line_tells_faces_and_solids(self):
+        result = self.run_here("solve", "plate.step", "--resolution", "8", "-o", "other")
+        self.assertRegex(result.stdout, r"\Amodel      40 x .* mm from .*; \d+ faces, 1 solid\n")
 
     def test_finer_cells_get_finer_triangles(self):
         coarse = self.solve("cylinder.brep", "--resolution", "8")[1]["model"]["triangles"]

@@ -37,7 +37,7 @@ class OfAGrid(CheckTest):
     def test_begins_with_the_answer_and_ends_with_the_level_before(self):
         lines = self.check().splitlines()
         self.assertLessEqual(len(lines), 15)
-        self.assertEqual(lines[0], "can be meshed locally (necessary, not sufficient)")
+        self.assertEqual(lines[0], "hexahedra fit locally (necessary, not sufficient)")
         self.assertEqual(lines[-1], "at half the resolution: 4 arcs, 0 nodes, 8 ends on the surface, the same; unchanged from "
                                     f"{self.report['coarser']['last_change']:g} cells on")
         self.assertIn(["arcs", "4"], [line.split() for line in lines])
@@ -55,7 +55,7 @@ class OfAGrid(CheckTest):
         report["verdict"] = report["singularity"]["verdict"] = "not_meshable"
         report["singularity"]["arcs"] = 5
         path.write_text(json.dumps(report))
-        self.assertTrue(self.check().startswith("can be meshed locally"))
+        self.assertTrue(self.check().startswith("hexahedra fit locally"))
 
     def test_the_file_has_four_arcs_of_index_a_quarter(self):
         graph = Graph(self.folder / "out" / "singularities.vtu")
@@ -71,7 +71,7 @@ class OfABox(CheckTest):
         self.assertEqual((report["singularity"]["arcs"], report["singularity"]["verdict"]), (0, "meshable"))
         arrays = read_arrays(self.folder / "out" / "singularities.vtu")
         self.assertEqual((len(arrays["Points"]), len(arrays["offsets"])), (0, 0))
-        self.assertTrue(self.check().startswith("can be meshed locally"))
+        self.assertTrue(self.check().startswith("hexahedra fit locally"))
 
 
 class OfTets(CheckTest):

@@ -32,8 +32,8 @@ def options_of(command):
 def choices_in_help():
     """(command, option, words) for every option of one of several words."""
     for command in COMMANDS:
-        for names, words in re.findall(r"^  (-\S+) \S+?:\{([^}]+)\}", run(command, "--help").stdout, re.MULTILINE):
-            yield command, names.split(",")[-1], words.split(",")
+        for names, words in re.findall(r"^  (-\S+) ([a-z0-9-]+(?:\|[a-z0-9-]+)+)$", run(command, "--help").stdout, re.MULTILINE):
+            yield command, names.split(",")[-1], words.split("|")
 
 
 class Completion:

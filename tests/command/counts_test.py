@@ -79,9 +79,9 @@ class CountsTest(CommandTest):
         self.assertEqual(counts_in_page(page, "grid_"), counts_in_check(checked["grid"]))
         grid = self.legend("--field", "grid")
         self.assertEqual(counts_in_legend(grid), counts_in_check(checked["grid"]))
-        self.assertIn("Field: ", legend)
+        self.assertIn("Answer: ", legend)
         self.assertNotIn("tarting grid", legend)
-        self.assertNotIn("Field: ", grid)
+        self.assertNotIn("Answer: ", grid)
         self.assertIn("Starting grid", grid)
         self.assertEqual("Singular lines of the starting grid" in grid, checked["grid"]["arcs"] > 0)
 

@@ -53,8 +53,25 @@ class WrongUsage(CommandTest):
         (self.folder / "part.stl").write_bytes(stl_bytes(box_triangles()))
         self.assert_fails(self.run_here("part.stl"), USAGE, "did you mean 'crossgrain solve part.stl'?")
 
+    def test_a_file_where_a_folder_is_written_is_refused(self):
+        for name in ("x.msh", "x.inp", "x.VTU", "sub/x.mesh"):
+            self.refuse(["hex", "a.stl", "-o", name], name, "hexahedra.inp", "without " + "." + name.split(".")[1])
+            self.refuse(["solve", "a.stl", "-o", name], name, "field.vtu", "--write")
+
+    def test_a_folder_where_a_file_is_written_is_refused(self):
+        self.assert_fails(self.run_here("tets", "a.stl", "-o", "out/"), USAGE, "out/", ".mesh or .msh")
+
     def test_a_picture_that_is_no_png_is_refused(self):
         self.refuse(["render", "a.frames", "-o", "a.jpg"], "a.jpg", "PNG")
+
+    def test_files_of_other_formats_than_are_written_are_refused(self):
+        for arguments, words in ((["streamlines", "a.frames", "-o", "lines.csv"], ".vtu, .vtp or .obj"),
+                                 (["sample", "a.frames", "1", "2", "3", "-o", "frames.vtu"], ".txt or .dat"),
+                                 (["sample", "a.frames", "1", "2", "3", "--outside", "out.csv"], ".txt or .dat"),
+                                 (["tets", "a.step", "-o", "tets.vtu"], ".mesh or .msh")):
+            with self.subTest(arguments=arguments):
+                self.assert_fails(self.run_here(*arguments), USAGE, arguments[-1], words)
+                self.assertEqual(self.names(), [])
 
     def test_values_out_of_range_are_refused(self):
         for option, value in [("--degree", "5"), ("--degree", "four"), ("--resolution", "3"), ("--resolution", "-1"),
@@ -86,9 +103,10 @@ class WrongSizes(CommandTest):
         self.assert_fails(self.run_here("solve", "box.stl", "--cell-size", "1"), USAGE, "too large")
 
     def test_what_cannot_fit_into_memory_is_refused_at_once(self):
-        for arguments in (["--resolution", "400000"], ["--cell-size", "1e-300"]):
+        for arguments, code, words in ((["--resolution", "400000"], LIMIT, "lower --resolution"),
+                                       (["--cell-size", "1e-300"], USAGE, "set --cell-size")):
             result = self.run_here("solve", "box.stl", *arguments)
-            self.assert_fails(result, LIMIT, "lower --resolution")
+            self.assert_fails(result, code, words)
             self.assertNotIn("nan", result.stderr)
             self.assertNotIn("inf", result.stderr)
         self.assertEqual(self.names(), ["box.stl"])
@@ -180,6 +198,20 @@ class BadModels(CommandTest):
         self.refuse("a.ply", header.encode() + b"\0" * 50, "353535235358")
         self.refuse("b.off", "OFF\n353535235358 1 0\n0 0 0\n")
         self.refuse("c.stl", b"\0" * 80 + struct.pack("<I", 4000000000) + b"\0" * 50)
+
+    def test_a_folder_that_is_none_is_blamed_itself(self):
+        (self.folder / "empty.frames").mkdir()
+        self.write("file.frames", "text")
+        self.write("box.stl", stl_bytes(box_triangles()))
+        self.write("seeds.txt", "0 0 0\n")
+        ways = [["check"], ["sample", "{}", "0", "0", "0"], ["streamlines"], ["streamlines", "{}", "seeds.txt"], ["render"], ["view"],
+                ["solve", "box.stl", "--from", "{}", "-o", "out"]]
+        for name, fault in (("nope.frames", "no such folder"), ("file.frames", "is not a folder"), ("empty.frames", "holds no field")):
+            for way in ways:
+                arguments = [word.format(name) for word in way] if len(way) > 1 else [*way, name]
+                words = "has no report.html" if way == ["view"] and name == "empty.frames" else fault
+                self.assert_fails(self.run_here(*arguments), INPUT, f"crossgrain: {name}: {words}")
+        self.assert_fails(self.run_here("render", "empty.frames", "--hexahedra"), INPUT, "crossgrain: empty.frames: has no hexahedra")
 
     def test_an_earlier_field_that_is_none(self):
         self.write("box.stl", stl_bytes(box_triangles()))

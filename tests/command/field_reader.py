@@ -9,7 +9,7 @@ import numpy as np
 
 TYPES = {"Int8": "<i1", "Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "<u1", "UInt32": "<u4",
          "UInt64": "<u8"}
-VTK_VOXEL = 11
+VTK_HEXAHEDRON = 12
 FACES = [(axis, sign) for axis in range(3) for sign in (-1, 1)]  # in the order of the bits of open_faces
 
 
@@ -44,11 +44,11 @@ class Field:
 
     def __init__(self, path):
         self.arrays = arrays = read_arrays(path)
-        assert (arrays["types"] == VTK_VOXEL).all()
+        assert (arrays["types"] == VTK_HEXAHEDRON).all()
         corners = arrays["Points"][arrays["connectivity"].reshape(-1, 8)]
         self.low = corners[:, 0]
-        self.size = (corners[:, 7] - corners[:, 0])[:, 0]
-        self.centre = 0.5 * (corners[:, 0] + corners[:, 7])
+        self.size = (corners[:, 6] - corners[:, 0])[:, 0]
+        self.centre = 0.5 * (corners[:, 0] + corners[:, 6])
         # Orthonormal again after their rounding to single precision.
         left, _, right = np.linalg.svd(np.stack([arrays[f"axis_{name}"] for name in "uvw"], axis=1).astype(float))
         self.axes = left @ right
@@ -63,13 +63,13 @@ class Field:
         return len(self.size)
 
     def check_points(self, corners):
-        """Points are shared, and every cell is the voxel that its address says."""
+        """Points are shared, and every cell is the cube that its address says."""
         points = self.arrays["Points"]
         assert len(np.unique(points, axis=0)) == len(points)
         assert (self.arrays["offsets"] == 8 * np.arange(1, len(self) + 1)).all()
         root = self.arrays["root_cube"].ravel()
         size = root[3] / 2.0**self.depth
-        offsets = np.array([[k & 1, k >> 1 & 1, k >> 2] for k in range(8)])
+        offsets = np.array([[k % 4 in (1, 2), k % 4 >= 2, k >= 4] for k in range(8)])
         expected = root[:3] + size[:, None, None] * (np.array(self.place)[:, None, :] + offsets)
         np.testing.assert_allclose(corners, expected, rtol=0, atol=1e-12 * (np.abs(root[:3]).max() + root[3]))
         assert (self.arrays["level"] == self.depth).all()

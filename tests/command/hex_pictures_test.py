@@ -69,7 +69,7 @@ class HexPictures(CommandTest):
     def test_the_legend_tells_their_number_and_the_worst_shape(self):
         legend = self.render()
         self.assertIn(f"All-hex: {len(self.corners)} hexahedra\n", legend)
-        self.assertIn(f"worst {self.shapes.min():.2f}\n", legend)
+        self.assertIn(f"worst {self.shapes.min():.2g}\n", legend)
         self.assertNotIn("shown", legend)
 
     def test_the_picture_is_named_after_the_folder_and_the_folder_stays_as_it_is(self):

@@ -24,6 +24,17 @@ OCTAHEDRON = np.array([*[(RIM[k], RIM[(k + 1) % 4], TIP) for k in range(4)], *[(
 NEIGHBOURS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
 
 
+def star_triangles():
+    """A prism over a star of five points."""
+    rim = np.array([(np.cos(np.pi * k / 5), np.sin(np.pi * k / 5)) for k in range(10)]) * np.where(np.arange(10) % 2, 0.4, 1.0)[:, None]
+    low, high = (np.column_stack([rim, np.full(10, z)]) for z in (0.0, 0.5))
+    triangles = []
+    for k in range(10):
+        n = (k + 1) % 10
+        triangles += [(low[k], low[n], high[n]), (low[k], high[n], high[k]), ((0, 0, 0), low[n], low[k]), ((0, 0, 0.5), high[k], high[n])]
+    return np.array(triangles)
+
+
 def medit_section(path, name, width):
     words = path.read_text().split()
     at = words.index(name)
@@ -78,6 +89,8 @@ class HexTest(CommandTest):
         self.assertEqual(self.result.returncode, code, self.result.stderr)
         self.report = json.loads((self.folder / "out/report.json").read_text())
         mesh = self.folder / "out/hexahedra.mesh"
+        if not mesh.exists():
+            return self.report["hexahedra"]
         self.vertices = medit_section(mesh, "Vertices", 4)[:, :3]
         self.corners = medit_section(mesh, "Hexahedra", 9)[:, :8].astype(int) - 1
         return self.report["hexahedra"]
@@ -93,7 +106,10 @@ class HexTest(CommandTest):
         self.assertEqual(made["hexahedra"], 8 * 4 * 6)
         self.assertEqual(len(self.corners), 8 * 4 * 6)
         self.assertAlmostEqual(made["volume"], 3.0, places=6)
-        self.assertIn("hexahedra  all-hex, 192 hexahedra, worst scaled Jacobian 1.00", self.result.stdout)
+        rows = [line.split()[0] for line in self.result.stdout.splitlines()]
+        self.assertEqual(rows, ["expected", "hexahedra", "worst", "fit", "way", "files", "time"])
+        self.assertIn("hexahedra  all-hex: 192 of 0.25\nworst      scaled Jacobian 1 at ", self.result.stdout)
+        self.assertIn("fit        volume within 0.001 % and area within 0.001 % of the model; ", self.result.stdout)
         self.assertEqual(sorted(set(FILES) & {path.name for path in (self.folder / "out").iterdir()}), FILES)
 
     def test_the_report_has_the_shapes_of_the_file(self):
@@ -114,7 +130,8 @@ class HexTest(CommandTest):
         self.assertEqual(tets["tets"], self.report["onto"]["tets"])
         self.assertEqual(repair["outcome"], "all-hex")
         self.assertEqual(self.report["seconds"]["read"], tets["tet_seconds"])
-        self.assertNotIn("tries", self.result.stdout)
+        self.assertIn(f"way        attempt 2 of 2: field on {self.report['onto']['tets']} tets of 0.3, repaired\n", self.result.stdout)
+        self.assertRegex(self.result.stdout, r"expected .* tets of 0\.3 \(--tet-size\)\n")
         self.assert_succeeds(self.run_here("check", "out"))
 
     def test_an_octahedron_is_filled_though_four_faces_meet_in_its_corners(self):
@@ -125,16 +142,34 @@ class HexTest(CommandTest):
         self.assertIn("expected   about ", self.result.stdout)
         self.assertLessEqual(made["largest_distance"], 0.05 * made["used_size"])
 
-    def test_five_tets_around_an_axis_have_no_map_and_say_where_and_why(self):
+    def write_fan(self):
+        """Five tets around an axis, which have no map."""
         tips = [(0, 0, 1.5), (0, 0, -1.5)]
         rim = [(np.cos(2 * np.pi * k / 5), np.sin(2 * np.pi * k / 5), 0) for k in range(5)]
         self.write("fan.mesh", medit_text(np.array(tips + rim), np.array([(0, 1, 2 + k, 2 + (k + 1) % 5) for k in range(5)])))
+
+    def test_five_tets_around_an_axis_have_no_map_and_say_where_and_why(self):
+        self.write_fan()
         made = self.hexahedra("fan.mesh", "--cells", "5", code=NOT_ALL_HEX)
         self.assertIn(made["outcome"], ("none", "partial"))
-        self.assertIn("no map", made["reason"])
-        self.assertTrue(made["remedy"])
+        self.assertIn("hexahedra", made["detail"])
         self.assertTrue(all(np.isfinite(place).all() for place in made["places"]))
-        self.assertRegex(self.result.stdout, r"hexahedra  (none|partial).*: no map: .* at .*; try ")
+        self.assertRegex(self.result.stdout, r"hexahedra  (none|partial)")
+        self.assertIn(made["reason"], self.result.stdout)
+        self.assertNotIn("--tet-size", self.result.stdout, "no tets are made of a mesh of tets")
+        self.hexahedra("fan.mesh", "--cells", "5", "--quiet", code=NOT_ALL_HEX)
+        self.assertEqual(self.result.stdout, "")
+        self.assertRegex(self.result.stderr, r"\Acrossgrain: fan.mesh: (none|partial).*\n\Z")
+        self.assertIn(made["reason"], self.result.stderr)
+
+    def test_verbose_adds_the_numbers_of_tets_repair_and_map(self):
+        self.write_box()
+        made = self.run_here("hex", "box.mesh", "--cells", "4", "-o", "out", "--verbose")
+        self.assert_succeeds(made)
+        rows = [line.split()[0] for line in made.stdout.splitlines()]
+        self.assertLessEqual({"singular", "energy", "surface", "cells", "tets", "repair"}, set(rows))
+        self.assertEqual(rows.count("energy"), 1)
+        self.assertEqual(rows[-2:], ["files", "time"])
 
     def test_warnings_about_the_model_come_before_the_work(self):
         vertices, tets = tet_box()
@@ -144,20 +179,90 @@ class HexTest(CommandTest):
         self.write("box.msh", "\n".join(["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(nodes)), *nodes, "$EndNodes",
                                          "$Elements", str(len(cells)), *cells, "$EndElements", ""]))
         self.hexahedra("box.msh", "--size", "0.25", "--progress")
-        warning, level = self.result.stderr.index("crossgrain: warning: box.msh"), self.result.stderr.index("level 1")
+        warning, level = self.result.stderr.index("crossgrain: warning: box.msh"), self.result.stderr.index("solving the field")
         self.assertLess(warning, level)
         self.assertEqual(self.result.stderr.count("warning"), 1)
 
-    def test_ctrl_c_writes_nothing(self):
+    def stopped(self, model, *arguments, after, number=signal.SIGINT):
+        """Exit code and all of standard error of a search that is stopped after the first event for which `after` is true."""
+        lines = []
+        with subprocess.Popen([PROGRAM, "hex", model, *arguments, "-o", "out", "--progress", "json"], cwd=self.folder, text=True,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+            for line in process.stderr:
+                lines.append(line)
+                if line.startswith("{") and after(json.loads(line)):
+                    break
+            process.send_signal(number)
+            lines.append(process.communicate(timeout=100)[1])
+        return process.returncode, "".join(lines)
+
+    def test_ctrl_c_before_there_is_a_mesh_writes_nothing_and_says_so(self):
         vertices, tets = tet_box((16, 12, 12))
         self.write("box.mesh", medit_text(vertices @ tilt(), tets))
-        with subprocess.Popen([PROGRAM, "hex", "box.mesh", "--cells", "60", "--progress"], cwd=self.folder, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-            next(line for line in process.stderr if "level 1" in line)
-            process.send_signal(signal.SIGINT)
-            process.communicate(timeout=60)
-        self.assertEqual(process.returncode, INTERRUPTED)
+        code, errors = self.stopped("box.mesh", "--cells", "60", after=lambda event: event.get("phase") == "solve")
+        self.assertEqual(code, INTERRUPTED)
+        self.assertIn("crossgrain: interrupted before there was a mesh; nothing is written\n", errors)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["box.mesh"])
+
+    def test_ctrl_c_writes_the_best_mesh_so_far(self):
+        self.write("star.stl", stl_bytes(star_triangles()))
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(signal=number.name):
+                code, errors = self.stopped("star.stl", "--cells", "4", number=number,
+                                            after=lambda event: event.get("best", {}).get("hexahedra", 0) > 0)
+                self.assertEqual(code, INTERRUPTED, errors)
+                self.assertIn("crossgrain: interrupted: writing the best mesh so far, ", errors)
+                made = json.loads((self.folder / "out/report.json").read_text())["hexahedra"]
+                self.assertTrue(made["is_stopped"])
+                self.assertGreater(made["hexahedra"], 0)
+                self.assertEqual(len(read_arrays(self.folder / "out/hexahedra.partial.vtu")["scaled_jacobian"]), made["hexahedra"])
+
+    def test_a_partial_mesh_says_so_in_names_and_heads_and_is_for_display_alone_if_some_are_inverted(self):
+        self.write_fan()
+        made = self.hexahedra("fan.mesh", "--cells", "5", "--inverted", code=NOT_ALL_HEX)
+        self.assertGreater(made["scaled_jacobian"]["inverted"], 0)
+        files = [f"hexahedra.partial.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
+        self.assertEqual(self.files_of_hexahedra(), files)
+        for name in files:
+            self.assertIn(b"partial", (self.folder / "out" / name).read_bytes()[:1024])
+        self.hexahedra("fan.mesh", "--cells", "5", code=NOT_ALL_HEX)
+        self.assertEqual(self.files_of_hexahedra(), ["hexahedra.partial.vtu"])
+        self.assertRegex(self.result.stdout, r"hexahedra\.partial\.vtu")
+        self.assertNotIn(".inp", self.result.stdout)
+        self.assert_succeeds(self.run_here("render", "out", "--hexahedra", "--size", "80x60"))
+        # A whole one leaves nothing of a part behind.
+        self.write_box()
+        self.hexahedra("box.mesh", "--cells", "4", "--force")
+        self.assertEqual(self.files_of_hexahedra(), FILES)
+
+    def files_of_hexahedra(self):
+        return sorted(path.name for path in (self.folder / "out").iterdir() if path.name.startswith("hexahedra."))
+
+    def test_progress_as_json_tells_stages_with_their_shares_and_how_each_attempt_ended(self):
+        self.write_box()
+        result = self.run_here("hex", "box.mesh", "--progress", "json", "--cells", "4", "-o", "out")
+        self.assert_succeeds(result)
+        events = [json.loads(line) for line in result.stderr.splitlines()]
+        self.assertEqual([event["seconds"] for event in events], sorted(event["seconds"] for event in events))
+        expected = next(event for event in events if event["event"] == "expected")
+        self.assertAlmostEqual(expected["hexahedra"], 24, delta=12)
+        phases = [event["phase"] for event in events if event.get("attempt") == 1 and event["event"] == "progress"]
+        self.assertEqual([phase for k, phase in enumerate(phases) if phase not in phases[:k]][-4:],
+                         ["repair", "map", "hexahedra", "smooth"])
+        self.assertTrue(all(0 <= event["share"] <= 1 for event in events if "share" in event))
+        end = next(event for event in events if event["event"] == "attempt")
+        self.assertEqual((end["outcome"], end["next"]), ("all-hex", ""))
+        self.assertLess(events.index(expected), events.index(end))
+
+    def test_each_attempt_that_another_follows_ends_with_a_line_that_says_why(self):
+        self.write("star.stl", stl_bytes(star_triangles()))
+        result = self.run_here("hex", "star.stl", "--cells", "4", "-o", "out", "--no-report")
+        ends = [line for line in result.stderr.splitlines() if line.startswith("attempt ")]
+        attempts = json.loads((self.folder / "out/report.json").read_text())["hexahedra"]["attempts"]
+        self.assertEqual(len(ends), sum(attempt["kind"] != "tets" for attempt in attempts) - 1)
+        for k, line in enumerate(ends):
+            self.assertRegex(line, rf"^attempt {k + 1}: .+; trying .+$")
+        self.assertEqual(result.stdout.count("expected"), 1)
 
     def test_a_later_solve_removes_the_hexahedra(self):
         self.write_box()

@@ -62,7 +62,7 @@ def edge_keys(edges):
 class PrepareTest(CommandTest):
     def solve(self, *arguments, folder="out"):
         """The report."""
-        result = self.run_here("solve", *arguments, "-o", folder, "--no-report")
+        result = self.run_here("solve", *arguments, "-o", folder, "--no-report", "--verbose")
         self.assert_succeeds(result)
         self.summary = result.stdout
         return json.loads((self.folder / folder / "report.json").read_text())

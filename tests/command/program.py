@@ -30,8 +30,8 @@ def run(*arguments, stdin=b"", program=PROGRAM, **options):
 
 
 def with_option(answer):
-    """The answer of a report as the program words it."""
-    return re.sub(r"use a resolution of (\d+)", r"use --resolution \1", answer)
+    """The answer of a report as `check` words it."""
+    return re.sub(r"use a resolution of (\d+)", r"solve with --resolution \1", answer)
 
 
 def no_more_processes():
@@ -68,9 +68,10 @@ class CommandTest(unittest.TestCase):
         return sorted(path.name for path in self.folder.iterdir())
 
     def assert_fails(self, result, code, *words):
-        """Exit code, one line on standard error that begins with the program's name and holds all words."""
+        """Exit code, one line on standard error that begins with the program's name and holds all words; on standard output no
+        more than the size of the model."""
         self.assertEqual(result.returncode, code, result.stderr)
-        self.assertEqual(result.stdout, "")
+        self.assertRegex(result.stdout, r"\A(onto .*\n)?(model .*\n)?\Z")
         self.assertTrue(result.stderr.startswith("crossgrain: "), result.stderr)
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
         self.assertTrue(result.stderr.endswith("\n"))

@@ -41,7 +41,7 @@ LONGEST_END_SECONDS = 3  # on a busy machine; 0.1 on a quiet one
 class RepairTest(CommandTest):
     def solve(self, *arguments, folder="out"):
         """The report."""
-        result = self.run_here("solve", *arguments, "-o", folder)
+        result = self.run_here("solve", *arguments, "-o", folder, "--verbose")
         self.assert_succeeds(result)
         self.summary, self.messages = result.stdout, result.stderr
         return json.loads((self.folder / folder / "report.json").read_text())

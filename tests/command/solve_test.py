@@ -33,6 +33,10 @@ class Solve(CommandTest):
     def test_the_summary_is_a_result_and_progress_is_not(self):
         result = self.run_here("solve", "torus.stl", "--resolution", "8", "--progress")
         self.assertIn("torus.frames", result.stdout)
+        rows = [line.split()[0] for line in result.stdout.splitlines()]
+        for row in ("answer", "singular", "alignment", "energy", "files", "time"):
+            self.assertEqual(rows.count(row), 1, row)
+        self.assertFalse({"cells", "surface", "repair"} & set(rows))
         self.assertIn("level", result.stderr)
         self.assertNotIn("\x1b", result.stderr)
         self.assertNotIn("level", result.stdout)

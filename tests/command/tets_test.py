@@ -242,7 +242,7 @@ class Refused(TetsTest):
     def test_too_many_tets_are_told_before_the_work(self):
         self.write("box.stl", stl_bytes(box_triangles()))
         begin = time.monotonic()
-        self.assert_fails(self.tets("box.stl", "--size", "1e-4"), LIMIT, "are to be expected", "--size or --edges")
+        self.assert_fails(self.tets("box.stl", "--size", "1e-3"), LIMIT, "are to be expected", "--size or --edges")
         self.assertLess(time.monotonic() - begin, 20)
 
 

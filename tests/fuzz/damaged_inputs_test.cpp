@@ -25,7 +25,7 @@ class EveryReader : public testing::TestWithParam<ReaderUnderTest> {
     } catch (const std::exception& exception) {
       return exception.what();
     }
-    if (largest_allocation() > most_allocated_at_once(bytes.size()))
+    if (largest_allocation() > most_allocated_at_once(bytes))
       return "takes " + std::to_string(largest_allocation()) + " bytes at once for a file of " +
              std::to_string(bytes.size());
     return "";

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <string_view>
 
 #include "crossgrain/thread_limit.hpp"
 #include "fuzz/reader_checks.hpp"
@@ -36,8 +37,9 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  most_allowed = crossgrain::most_allocated_at_once(size);
-  crossgrain::CROSSGRAIN_READER_CHECK({reinterpret_cast<const char*>(data), size});
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  most_allowed = crossgrain::most_allocated_at_once(bytes);
+  crossgrain::CROSSGRAIN_READER_CHECK(bytes);
   most_allowed = kAnything;
   return 0;
 }

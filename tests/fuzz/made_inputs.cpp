@@ -9,9 +9,12 @@
 #include <random>
 #include <stdexcept>
 
+#include "archives/made_archives.hpp"
 #include "cad_reading/made_cad_answers.hpp"
+#include "cad_reading/made_freecad_documents.hpp"
 #include "fuzz/reader_checks.hpp"
 #include "mesh_files/gmsh_files.hpp"
+#include "mesh_files/made_3mf.hpp"
 #include "mesh_files/made_bricks.hpp"
 #include "mesh_files/medit_files.hpp"
 #include "mesh_files/vtk_files.hpp"
@@ -204,6 +207,32 @@ std::vector<std::string> hexahedron_bytes() {
   return {out, with_boundary};
 }
 
+std::vector<std::string> made_packed() {
+  std::vector<std::string> out;
+  for (const std::string& file : made_stl()) out.push_back(gzipped(file));
+  return out;
+}
+
+std::vector<std::string> made_3mf_parts() {
+  const std::string object = object_of_3mf("1", mesh_of_3mf());
+  return {
+      part_of_3mf(object, "<item objectid=\"1\"/>"),
+      part_of_3mf(object + object_of_3mf("2",
+                                         "<components><component objectid=\"1\" transform=\"2 0 0 0 2 0 0 "
+                                         "0 -2 1 2 3\"/></components>"),
+                  "<item objectid=\"2\" p:path=\"/3D/3dmodel.model\"/>", "unit=\"inch\"")};
+}
+
+std::vector<std::string> made_freecad_documents() {
+  const FreeCadText box{"Part::Box", "Box", "a.brp"};
+  FreeCadText part{"App::Part", "Part", "", {1, 2, 3}};
+  part.group = {"Box", "Link"};
+  FreeCadText link{"App::Link", "Link", "", {0, 0, 5}};
+  link.linked = "Box";
+  return {document_of({box}),
+          document_of({part, box, link}) + '\0' + gui_of({{"Part", true}, {"Box", true}, {"Link", true}})};
+}
+
 std::vector<std::string> made_cad() {
   // Lines of 80 columns, of which the 73rd names the section.
   std::string iges;
@@ -240,6 +269,11 @@ std::vector<std::string> made_constraints() {
 }  // namespace
 
 std::vector<std::string> made_inputs(std::string_view reader) {
+  if (reader == "gzip") return made_packed();
+  if (reader == "zip")
+    return {zipped({{"a", "aaaa"}, {"b", ""}}), zipped({{"a", "aaaa"}, {"c/b", "c"}}, true)};
+  if (reader == "threemf") return made_3mf_parts();
+  if (reader == "freecad") return made_freecad_documents();
   if (reader == "stl") return made_stl();
   if (reader == "obj") return made_obj();
   if (reader == "ply") return made_ply();

@@ -8,6 +8,10 @@ namespace {
 
 // A new reader is a row here, a name in CMakeLists.txt and a list of inputs in made_inputs.cpp.
 constexpr std::array kReaders = {
+    ReaderUnderTest{"gzip", check_gzip},
+    ReaderUnderTest{"zip", check_zip},
+    ReaderUnderTest{"threemf", check_threemf},
+    ReaderUnderTest{"freecad", check_freecad},
     ReaderUnderTest{"stl", check_stl},
     ReaderUnderTest{"obj", check_obj},
     ReaderUnderTest{"ply", check_ply},

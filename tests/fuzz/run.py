@@ -27,6 +27,8 @@ ROOT = HERE.parent.parent
 # Which files of SHARED/models are seeds of a reader. Those of CAD are long, and what is looked at in them short:
 # the reader of CAD files is seeded with made ones.
 EXTENSIONS = {
+    "gzip": {".gz"},
+    "zip": {".3mf", ".FCStd"},
     "stl": {".stl"},
     "obj": {".obj"},
     "ply": {".ply"},

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -38,6 +39,8 @@ class Dummy : public AttemptKind {
       : name_(std::move(name)), planned_(std::move(planned)) {}
 
   const char* name() const override { return name_.c_str(); }
+  std::string plan(const AttemptQueue&) const override { return name_ + " " + std::to_string(at_ + 1); }
+  std::size_t left(const AttemptQueue&) const override { return planned_.size() - at_; }
 
   std::optional<Turn> next(const AttemptQueue&) const override {
     if (at_ == planned_.size()) return std::nullopt;
@@ -63,6 +66,36 @@ class Dummy : public AttemptKind {
 };
 
 using Step = Turn::Step;
+
+/// A kind whose only attempt is ended by a signal.
+class Signalled : public AttemptKind {
+ public:
+  Signalled(std::size_t round, std::function<void()> signal) : round_(round), signal_(std::move(signal)) {}
+
+  const char* name() const override { return "signalled"; }
+  std::string plan(const AttemptQueue&) const override { return "to be stopped"; }
+  std::size_t left(const AttemptQueue&) const override { return is_over_ ? 0 : 1; }
+  std::optional<Turn> next(const AttemptQueue&) const override {
+    if (is_over_) return std::nullopt;
+    return Turn{round_, Step::kRepair};
+  }
+
+  std::vector<HexCandidate> make(AttemptQueue& queue) override {
+    is_over_ = true;
+    signal_();
+    queue.monitor().check_stop();
+    return {};
+  }
+
+ private:
+  std::size_t round_;
+  std::function<void()> signal_;
+  bool is_over_ = false;
+};
+
+std::unique_ptr<Dummy> dummy(std::vector<Dummy::Planned> planned) {
+  return std::make_unique<Dummy>("a", std::move(planned));
+}
 
 constexpr double kPlenty = 1e9;
 
@@ -170,6 +203,56 @@ TEST(AttemptQueue, EndsWhenTheMonitorIsStopped) {
   EXPECT_TRUE(queue.attempts().empty());
 }
 
+TEST(AttemptQueue, EndsWithTheBestMeshWhenItIsStoppedWhereThatIsAllowed) {
+  Monitor monitor;
+  monitor.allow_stops();
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(dummy({{{0, Step::kRepair}, {0.5}}, {{2, Step::kRepair}, {0}}}));
+  queue.add(std::make_unique<Signalled>(1, [&] { monitor.stop(); }));
+  queue.run();
+  EXPECT_TRUE(queue.is_stopped());
+  EXPECT_EQ(queue.best()->made->volume_missed, 0.5);
+  EXPECT_EQ(kinds_of(queue), (std::vector<std::string>{"a", "signalled"}));
+}
+
+TEST(AttemptQueue, ThrowsWhenItIsStoppedBeforeThereIsAMesh) {
+  Monitor monitor;
+  monitor.allow_stops();
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Signalled>(0, [&] { monitor.stop(); }));
+  EXPECT_THROW(queue.run(), Error);
+}
+
+TEST(AttemptQueue, ThrowsWhenItIsCancelledThoughThereIsAMesh) {
+  Monitor monitor;
+  monitor.allow_stops();
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(dummy({{{0, Step::kRepair}, {0.5}}}));
+  queue.add(std::make_unique<Signalled>(1, [&] {
+    monitor.stop();
+    monitor.cancel();
+  }));
+  EXPECT_THROW(queue.run(), Error);
+}
+
+TEST(AttemptQueue, TellsHowEachAttemptEndedAndWhatIsTriedNext) {
+  std::vector<HexAttemptEnd> ends;
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(dummy({{{0, Step::kRepair}, {0.5}}, {{0, Step::kRepair}, {}}, {{0, Step::kRepair}, {0}}}));
+  queue.hear_ends([&](const HexAttemptEnd& end) { ends.push_back(end); });
+  queue.run();
+  ASSERT_EQ(ends.size(), 3u);
+  EXPECT_EQ(ends[0].text, "no mesh");
+  EXPECT_EQ(ends[0].next, "a 2");
+  EXPECT_EQ(ends[1].text, "no memory for this one");
+  EXPECT_EQ(ends[1].next, "a 3");
+  EXPECT_EQ(ends[2].text, "1 hexahedron fills the model");
+  EXPECT_EQ(ends[2].next, "");
+  EXPECT_EQ(ends[2].attempt, 3u);
+  EXPECT_EQ(ends[2].attempts, 3u);
+}
+
 TEST(AttemptQueue, TellsAttemptAndBestSoFarInItsProgress) {
   std::vector<Progress> heard;
   const Monitor monitor([&](const Progress& progress) { heard.push_back(progress); });
@@ -180,6 +263,7 @@ TEST(AttemptQueue, TellsAttemptAndBestSoFarInItsProgress) {
   queue.monitor().report({Phase::kHexahedra, 0, 5, 0, 0});
   ASSERT_EQ(heard.size(), 2u);
   EXPECT_EQ(heard[0].attempt, 1u);
+  EXPECT_EQ(heard[1].attempts, 2u);
   EXPECT_EQ(heard[0].hexahedra, 0u);
   EXPECT_EQ(heard[1].attempt, 2u);
   EXPECT_EQ(heard[1].hexahedra, 1u);

@@ -30,7 +30,7 @@ void add_bad_arc(SolveReport::Singularity& singularity) {
 
 TEST(Answer, IsYesOnlyIfHalfTheResolutionHasTheSameLines) {
   SolveReport report = sound();
-  EXPECT_EQ(sentence_of(answer_of(report)), "can be meshed locally (necessary, not sufficient)");
+  EXPECT_EQ(sentence_of(answer_of(report)), "hexahedra fit locally (necessary, not sufficient)");
   report.coarser->arcs = 1;
   EXPECT_EQ(answer_of(report).verdict, Verdict::kUndecided);
   EXPECT_EQ(answer_of(report).reasons[0].kind, ReasonKind::kOtherAtHalf);
@@ -45,22 +45,36 @@ TEST(Answer, IsNoForAnArcOnlyIfHalfTheResolutionHasTheSameLines) {
   report.coarser->arcs = 1;
   report.coarser->verdict = Verdict::kNotMeshable;
   EXPECT_EQ(answer_of(report).verdict, Verdict::kNotMeshable);
-  EXPECT_EQ(sentence_of(answer_of(report)).find("cannot be meshed, because an arc has a turning point"), 0u);
-  EXPECT_NE(sentence_of(answer_of(report)).find("at 1 2 3"), std::string::npos);
+  EXPECT_TRUE(
+      sentence_of(answer_of(report))
+          .starts_with("this field has no hexahedra at 1 2 3: along a singular line three hexahedra would "
+                       "become five; "));
 }
 
 TEST(Answer, IsNoForAKnifeEdgeWhateverTheCells) {
   SolveReport report = sound();
   report.coarser.reset();
-  report.singularity.crease_list.push_back({1, 30, 30, 2, 1, Verdict::kNotMeshable, {4, 5, 6}});
+  report.singularity.crease_list.push_back({1, 30, 30, 2, 1, Verdict::kNotMeshable, {4, 5, 6}, {3, 8}});
   const Answer answer = answer_of(report);
   EXPECT_EQ(answer.verdict, Verdict::kNotMeshable);
   EXPECT_EQ(answer.reasons.front().kind, ReasonKind::kKnifeEdge) << "faults come first";
   EXPECT_EQ(answer.reasons.size(), 2u);
   EXPECT_EQ(
       sentence_of(answer),
-      "cannot be meshed, because a knife edge of 30 degrees leaves room for no hexahedron at 4 5 6; next: "
-      "give the edge a fillet or a chamfer");
+      "this field has no hexahedra at 4 5 6: the edge of 30 degrees between faces 3 and 8 is too sharp for a "
+      "hexahedron; 'crossgrain hex' may still find a mesh; next: give the edge a fillet or a chamfer");
+}
+
+TEST(Answer, OfAFieldSaysNothingOfAMeshThatWasMade) {
+  SolveReport report = sound();
+  report.singularity.crease_list.push_back({1, 30, 30, 2, 1, Verdict::kNotMeshable, {4, 5, 6}});
+  report.hexahedra.emplace();
+  EXPECT_EQ(sentence_of(answer_of(report)).find("may still"), std::string::npos);
+}
+
+TEST(Answer, IsNoVerdictOnThePart) {
+  for (const Verdict verdict : {Verdict::kMeshable, Verdict::kNotMeshable, Verdict::kUndecided})
+    EXPECT_EQ(std::string(words_of(verdict)).find("meshed"), std::string::npos);
 }
 
 TEST(Answer, NamesTheResolutionThatResolvesTheWalls) {
@@ -71,7 +85,7 @@ TEST(Answer, NamesTheResolutionThatResolvesTheWalls) {
   EXPECT_EQ(answer.reasons.front().remedy, Remedy::kUseResolution);
   EXPECT_EQ(answer.reasons.front().remedy_number, 162);
   EXPECT_EQ(sentence_of(answer),
-            "undecided, because walls under 50 % of the surface have fewer than 2.5 cells; next: use "
+            "undecided, because walls under 50 % of the surface are thinner than 2.5 cells; next: use "
             "a resolution of 162");
 }
 
@@ -103,9 +117,10 @@ TEST(Answer, OnTetsIsAboutTheTets) {
   report.onto->unfollowed_share = 0.5;
   report.onto->edge_length = 1;
   report.onto->crease_deg.mean = 30;
-  EXPECT_EQ(sentence_of(answer_of(report)),
-            "undecided, because frames are more than 25 degrees off 50 % of the surface; next: mesh it with "
-            "edges of 0.5");
+  EXPECT_EQ(
+      sentence_of(answer_of(report)),
+      "undecided, because the field is more than 25 degrees off 50 % of the surface; next: mesh it with "
+      "edges of 0.5");
 }
 
 TEST(Answer, OnTetsThatOverlapIsUndecided) {

@@ -403,6 +403,33 @@ TEST(WriteHexahedra, RefusesAMeshThatContradictsItself) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(WriteHexahedra, SaysNearTheBeginningThatAMeshIsPartial) {
+  const TemporaryFolder folder;
+  HexMesh mesh = crooked_bricks();
+  for (const bool is_partial : {false, true}) {
+    mesh.is_partial = is_partial;
+    for (const char* name : kNames) {
+      write_hexahedra(mesh, folder.path() / name);
+      const std::string head = content_of(folder.path() / name).substr(0, kMarkedBytes);
+      EXPECT_EQ(head.find("partial") != std::string::npos, is_partial) << name;
+    }
+  }
+}
+
+TEST(WriteHexahedra, RefusesInvertedOnesInFilesForSolversUnlessTheyAreAskedFor) {
+  const TemporaryFolder folder;
+  HexMesh mesh = made_bricks({2, 1, 1}, {2, 1, 1});
+  std::swap(mesh.hexahedra[1][0], mesh.hexahedra[1][6]);
+  for (const char* name : {"a.mesh", "a.msh", "a.inp"}) {
+    expect_usage_error([&] { write_hexahedra(mesh, folder.path() / name); },
+                       "a." + std::string(name + 2) + ": hexahedron 2: is inverted");
+    EXPECT_TRUE(folder.names().empty());
+    write_hexahedra(mesh, folder.path() / name, {}, InvertedHexahedra::kAllowed);
+    std::filesystem::remove(folder.path() / name);
+  }
+  write_hexahedra(mesh, folder.path() / "a.vtu");
+}
+
 TEST(WriteHexahedra, LeavesTheEarlierFileWhenItIsCancelled) {
   for (const char* name : kNames) {
     const TemporaryFolder folder;

@@ -43,7 +43,7 @@ TEST(ReadSurface, NamesAFileItMayNotRead) {
 }
 
 TEST(ReadSurface, RefusesAnExtensionItDoesNotKnow) {
-  EXPECT_NE(input_error_as("a.xyz", "1 2 3").find(".stl, .obj, .ply, .off, .step"), std::string::npos);
+  EXPECT_NE(input_error_as("a.xyz", "1 2 3").find(".stl, .obj, .ply, .off, .3mf, .step"), std::string::npos);
   EXPECT_NE(input_error_as("a", kObj).find("no extension"), std::string::npos);
   EXPECT_NE(input_error_as("a.sat", "ISO-10303-21;\n").find("STEP"), std::string::npos);
 }

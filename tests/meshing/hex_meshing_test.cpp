@@ -41,18 +41,19 @@ HexMeshingOptions of_size(double size) {
 
 /// Fails to make tets from the call `failing` on, counted from 0.
 Hexahedra tuned_hexahedra(const TriangleMesh& model, const HexMeshingOptions& options,
-                          const MeshingTuning& tuning, int failing = 1000) {
+                          const MeshingTuning& tuning, int failing = 1000, const Monitor& monitor = {}) {
   int calls = 0;
   const auto make = [&](const TetMakingTuning& making, const Monitor& monitor) {
     if (calls++ == failing) throw Error(ErrorKind::kLimit, "too many tets");
     return make_tets(model, making, monitor);
   };
-  return hexahedra_in_tets_of(make, options, tuning, {});
+  return hexahedra_in_tets_of(make, options, tuning, monitor);
 }
 
 /// Hexahedra of a pyramid, at whose tip four faces meet and so no hexahedra; with a single repair each.
 Hexahedra partial_pyramid(std::vector<double> shares, const MeshingTuning& given = MeshingTuning(),
-                          int failing = 1000) {
+                          int failing = 1000, const Monitor& monitor = {},
+                          const std::function<void(const HexAttemptEnd&)>& on_end = {}) {
   MeshingTuning tuning = given;
   tuning.hexahedra.repair.tries = {{}};
   tuning.hexahedra.repair.finalists = 0;
@@ -62,10 +63,11 @@ Hexahedra partial_pyramid(std::vector<double> shares, const MeshingTuning& given
   tuning.tet_shares = std::move(shares);
   HexMeshingOptions options = of_size(0.5);
   options.tets.size = 0.3;
+  options.on_attempt_end = on_end;
   TriangleMesh pyramid;
   pyramid.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}};
   pyramid.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-  return tuned_hexahedra(pyramid, options, tuning, failing);
+  return tuned_hexahedra(pyramid, options, tuning, failing, monitor);
 }
 
 /// The attempts at tets.
@@ -155,6 +157,21 @@ TEST_F(HexMeshing, TriesOnlyTheCoarsestOfSizesWithManyTets) {
   EXPECT_NEAR(tets.front().tet_size, 0.6, 1e-9);
 }
 
+TEST_F(HexMeshing, TellsBeforeTheWorkThatTheFirstSizeHasTooManyTets) {
+  MeshingTuning tuning;
+  tuning.tet_shares = {1, 4};
+  tuning.large_tets = 500;
+  HexMeshingOptions options = of_size(1);
+  options.tets.size = 0.4;
+  std::vector<HexExpectation> heard;
+  options.on_expected = [&](const HexExpectation& expected) { heard.push_back(expected); };
+  tuned_hexahedra(make_box({4, 2, 3}), options, tuning);
+  ASSERT_FALSE(heard.empty());
+  EXPECT_NEAR(heard.front().tet_size.used, 1.6, 1e-9);
+  EXPECT_NEAR(heard.front().tet_size.dropped, 0.4, 1e-9);
+  EXPECT_GT(heard.front().tet_size.dropped_tets, tuning.large_tets);
+}
+
 TEST_F(HexMeshing, GoesOnAfterPoorHexahedraAndKeepsThem) {
   MeshingTuning tuning;
   tuning.tet_shares = {1, 2};
@@ -179,8 +196,50 @@ TEST_F(HexMeshing, ProgressTellsAttemptAndBestSoFar) {
   make_hexahedra(make_box({4, 2, 3}), of_size(1), monitor);
   ASSERT_FALSE(heard.empty());
   EXPECT_EQ(heard.front().attempt, 1u);
-  EXPECT_EQ(heard.back().attempt, 2u);
-  EXPECT_EQ(heard.back().phase, Phase::kHexahedra);
+  EXPECT_EQ(heard.back().attempt, 1u);
+  EXPECT_EQ(heard.front().attempts, MeshingTuning().most_sizes);
+  EXPECT_EQ(heard.back().phase, Phase::kSmooth);
+  EXPECT_GT(heard.back().share, 0);
+}
+
+TEST_F(HexMeshing, TellsWhyEachAttemptEndedAndWhichTetsAreTriedNext) {
+  std::vector<HexAttemptEnd> ends;
+  partial_pyramid({1, 2}, MeshingTuning(), 1000, {}, [&](const HexAttemptEnd& end) { ends.push_back(end); });
+  ASSERT_GE(ends.size(), 2u);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    EXPECT_EQ(ends[k].attempt, k + 1);
+    EXPECT_GE(ends[k].attempts, ends[k].attempt);
+    EXPECT_NE(ends[k].outcome, HexOutcome::kAllHex);
+    EXPECT_FALSE(ends[k].text.empty());
+  }
+  EXPECT_EQ(
+      std::count_if(ends.begin(), ends.end(), [](const auto& end) { return end.next == "tets of 0.6"; }), 1);
+  EXPECT_EQ(ends.back().next, "");
+}
+
+TEST_F(HexMeshing, GivesTheBestMeshSoFarWhenItIsStopped) {
+  Monitor* heard = nullptr;
+  Monitor monitor([&](const Progress& progress) {
+    if (progress.hexahedra > 0) heard->stop();
+  });
+  heard = &monitor;
+  monitor.allow_stops();
+  const Hexahedra made = partial_pyramid({1, 1.4, 2}, MeshingTuning(), 1000, monitor);
+  EXPECT_TRUE(made.report().is_stopped);
+  EXPECT_GT(made.mesh.hexahedra.size(), 0u);
+  EXPECT_TRUE(made.mesh.is_partial);
+  EXPECT_EQ(used_round(made), 0u);
+}
+
+TEST_F(HexMeshing, ExpectsOneLayerOfHexahedraInAPlateThatIsThinnerThanOne) {
+  HexMeshingOptions options = of_size(1);
+  std::vector<HexExpectation> expected;
+  options.on_expected = [&](const HexExpectation& it) { expected.push_back(it); };
+  const Hexahedra made = make_hexahedra(make_box({8, 8, 0.2}), options);
+  ASSERT_EQ(expected.size(), 1u);
+  EXPECT_NEAR(expected.front().hexahedra, 64, 16);
+  EXPECT_EQ(made.report().expected, expected.front().hexahedra);
+  EXPECT_NEAR(static_cast<double>(made.mesh.hexahedra.size()), 64, 16);
 }
 
 TEST_F(HexMeshing, IsTheSameForAnyNumberOfThreads) {

@@ -15,7 +15,7 @@ from tet_solids import angle_iron
 
 HERE = Path(__file__).resolve().parent
 MODELS = HERE.parent.parent / "models"
-VOXEL, TET, LINE, TRIANGLE = 11, 10, 4, 5
+CUBE, TET, LINE, TRIANGLE = 12, 10, 4, 5
 
 
 @unittest.skipIf(shutil.which("pvpython") is None, "needs pvpython (Debian's python3-paraview)")
@@ -49,7 +49,7 @@ class ParaView(CommandTest):
             found = self.found()
             self.assertEqual(set(found), {"field.vtu", "singularities.vtu", "streamlines.vtu", "surface.vtu"})
             field = found["field.vtu"]
-            self.assertEqual((field["cells"], field["types"]), (report["levels"][-1]["active_cells"], [VOXEL]))
+            self.assertEqual((field["cells"], field["types"]), (report["levels"][-1]["active_cells"], [CUBE]))
             self.expect_axes(field)
             self.assertLessEqual(field["cell_arrays"]["alignment_deg"][1], 55)
             self.expect_graph(found["singularities.vtu"], report["singularity"])
@@ -69,7 +69,7 @@ class ParaView(CommandTest):
 
     def test_opens_parts_of_a_field(self):
         self.solved(MODELS / "wedge.stl", "--resolution", 32, "--output-level", 4)
-        self.assertEqual(self.found()["field.vtu"]["types"], [VOXEL])
+        self.assertEqual(self.found()["field.vtu"]["types"], [CUBE])
 
 
 if __name__ == "__main__":

@@ -29,7 +29,7 @@ TEST(AnswerLegend, HasTheWordsThatTheSentenceBeginsWith) {
   SolveReport report;
   for (const Verdict verdict : {Verdict::kMeshable, Verdict::kNotMeshable, Verdict::kUndecided}) {
     report.answer.verdict = verdict;
-    const std::string words = answer_legend(report, true).title.substr(std::string("Field: ").size());
+    const std::string words = answer_legend(report, true).title.substr(std::string("Answer: ").size());
     EXPECT_EQ(sentence_of(report.answer).substr(0, words.size()), words);
     EXPECT_EQ(words, words_of(verdict));
   }
@@ -42,9 +42,10 @@ TEST(AnswerLegend, CountsCreasesAndCornersThatAreNotMeshableOrUndecided) {
       with_corners({Verdict::kUndecided, Verdict::kMeshable, Verdict::kNotMeshable, Verdict::kNotMeshable});
   report.singularity.crease_list.resize(3);
   report.singularity.crease_list[1].verdict = Verdict::kNotMeshable;
-  EXPECT_EQ(texts_of(answer_legend(report, true)),
-            (std::vector<std::string>{"Field: cannot be meshed", "crease, impossible for hexahedra (1)",
-                                      "corner, impossible for hexahedra (2)", "corner, undecided (1)"}));
+  EXPECT_EQ(
+      texts_of(answer_legend(report, true)),
+      (std::vector<std::string>{"Answer: this field has no hexahedra", "crease, impossible for hexahedra (1)",
+                                "corner, impossible for hexahedra (2)", "corner, undecided (1)"}));
   EXPECT_EQ(texts_of(answer_legend(report, false)).size(), 1u);
 }
 

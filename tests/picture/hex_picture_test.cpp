@@ -174,7 +174,7 @@ TEST_F(HexPicture, DrawsTheHexahedraBelowALimit) {
 TEST_F(HexPicture, SaysInItsLegendWhatTheMeshIsAndHowGood) {
   const HexMesh mesh = crooked_bricks();
   const std::vector<double> shapes = scaled_jacobians(mesh);
-  const std::string worst = fmt::format("worst {:.2f}", *std::min_element(shapes.begin(), shapes.end()));
+  const std::string worst = fmt::format("worst {:.2g}", *std::min_element(shapes.begin(), shapes.end()));
   EXPECT_EQ(legend(mesh), "120 hexahedra\nScaled Jacobian\n  0 to 1\n  " + worst + "\n");
   HexReport report;
   report.outcome = HexOutcome::kAllHex;

@@ -13,10 +13,10 @@ EXAMPLES = Path(os.environ.get("CROSSGRAIN_EXAMPLES", Path(__file__).parents[2] 
 
 # What the last lines say.
 SAYINGS = {
-    "first_field": r"hexahedra: can be meshed locally.*\nwrote .*png",
+    "first_field": r"hexahedra: hexahedra fit locally.*\nwrote .*png",
     "orient_material": r"6000 elements; the stiff axis is within [01]\.\d\d degrees of z",
     "walk_singularities": r"4 arcs, 8 nodes: meshable(\n  valence 3.*){4}",
-    "field_for_hexahedra": r"arcs: \[3, 3, 3, 3\]; can be meshed locally.*\nwrote ",
+    "field_for_hexahedra": r"arcs: \[3, 3, 3, 3\]; hexahedra fit locally.*\nwrote ",
 }
 
 

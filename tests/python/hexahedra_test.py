@@ -178,6 +178,25 @@ class HexahedraOfModels(WithFolder):
         self.assertTrue(mesh.is_all_hex)
         self.assertEqual((set(mesh.tags), mesh.unit), ({1, 2, 3}, "mm"))
 
+    def test_have_the_unit_that_the_caller_names(self):
+        points, cells = cube_of_tets(3)
+        self.assertEqual(cg.hex(cg.TetMesh(points, cells, unit="m"), cells=4).unit, "m")
+        path = self.folder / "cube.mesh"
+        path.write_text(medit_text(points, cells))
+        options = cg.HexMeshingOptions(tets=cg.TetMakingOptions(unit="inch"))
+        self.assertEqual(cg.hex(path, cells=4, options=options).unit, "inch")
+        self.assertEqual(cg.read_tets(path, unit="um").boundary.unit, "um")
+        surface = self.folder / "box.stl"
+        surface.write_bytes(stl_bytes(*box()))
+        self.assertEqual(cg.read_surface(surface, cg.ReadOptions(unit="cm")).unit, "cm")
+        self.assertEqual(cg.Surface(*box(), unit="mm").unit, "mm")
+        with self.assertRaisesRegex(cg.UsageError, "unit takes one of none, um"):
+            cg.read_surface(surface, cg.ReadOptions(unit="yard"))
+
+    def test_larger_than_the_model_are_refused_with_its_size(self):
+        with self.assertRaisesRegex(cg.UsageError, "hexahedra of 1000 are too large for the part, which is 1 across"):
+            cg.hex(*cube_of_tets(3), size=1000)
+
     def test_that_do_not_fill_the_model_say_why(self):
         angles = 2 * np.pi / 5 * np.arange(5)
         points = np.vstack([np.c_[np.cos(angles), np.sin(angles), 0 * angles], [[0, 0, 1], [0, 0, -1]]])

@@ -123,6 +123,88 @@ class Vtk(unittest.TestCase):
         self.assertEqual(pyvista.wrap(cg.solve(*box(), resolution=8).to_vtk()).n_cells, len(cg.solve(*box(), resolution=8)))
 
 
+class FilesInOtherPackages(unittest.TestCase):
+    """meshio and VTK open every kind of .vtu that is written, and find the same in it."""
+
+    #: Types of the cells in VTK, and those that meshio has; it knows no polylines (4).
+    TYPES = {"field.vtu": ([12], ["hexahedron"]), "surface.vtu": ([4, 5], ["triangle"]), "singularities.vtu": ([4], []),
+             "streamlines.vtu": ([4], []), "onto.vtu": ([10], ["tetra"]), "onto_features.vtu": ([3, 5], ["line", "triangle"]),
+             "hexahedra.vtu": ([12], ["hexahedron"]), "hexahedra_map.vtu": ([10], ["tetra"])}
+
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory(prefix="crossgrain-python-")
+        cls.addClassCleanup(temporary.cleanup)
+        folder = Path(temporary.name)
+        field = cg.solve(*ball(), resolution=16)
+        field.write(folder / "grid", page=False)
+        for ending in ("vtu", "vtp"):
+            field.streamlines(count=5).write(folder / "grid" / f"streamlines.{ending}")
+        cg.hex(*cube_of_tets(4), size=0.25).write_folder(folder / "hex", page=False, formats=["map", "features"])
+        # The cube has no singular arcs, and meshio fails on a file without a cell.
+        cls.paths = [path for path in folder.glob("*/*.vtu") if "singularities" not in path.name or path.parent.name == "grid"]
+
+    def opened_by_vtk(self, path):
+        reader = imported(self, "vtkmodules.vtkIOXML").vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        return reader.GetOutput()
+
+    def test_every_kind_is_there(self):
+        self.assertEqual({path.name for path in self.paths}, set(self.TYPES))
+
+    def test_meshio_opens_them(self):
+        meshio = imported(self, "meshio")
+        for path in self.paths:
+            with self.subTest(path.name), contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+                mesh = meshio.read(path)
+                self.assertGreater(len(mesh.points), 0)
+                found = {block.type for block in mesh.cells}
+                self.assertLessEqual(found, set(self.TYPES[path.name][1]))
+                self.assertEqual(bool(found), bool(self.TYPES[path.name][1]))
+                for block in mesh.cells:
+                    self.assertLess(block.data.max(), len(mesh.points))
+
+    def test_cells_of_a_field_are_cubes_in_meshio(self):
+        meshio = imported(self, "meshio")
+        mesh = meshio.read(next(path for path in self.paths if path.name == "field.vtu"))
+        corners = mesh.points[mesh.cells[0].data]
+        # The edges from corner 0 span the cube, right-handed.
+        sides = corners[:, [1, 3, 4]] - corners[:, :1]
+        sizes = np.cbrt(np.linalg.det(sides))
+        np.testing.assert_allclose(sides, sizes[:, None, None] * np.eye(3), atol=1e-9)
+        np.testing.assert_allclose(corners[:, 6] - corners[:, 0], sizes[:, None] * np.ones(3), atol=1e-9)
+
+    def test_vtk_opens_streamlines_as_poly_data_too(self):
+        to_numpy = imported(self, "vtkmodules.util.numpy_support").vtk_to_numpy
+        path = next(path for path in self.paths if path.name == "streamlines.vtu")
+        reader = imported(self, "vtkmodules.vtkIOXML").vtkXMLPolyDataReader()
+        reader.SetFileName(str(path.with_suffix(".vtp")))
+        reader.Update()
+        lines, grid = reader.GetOutput(), self.opened_by_vtk(path)
+        self.assertEqual(lines.GetNumberOfLines(), grid.GetNumberOfCells())
+        for ours, theirs in ((lines.GetPointData(), grid.GetPointData()), (lines.GetCellData(), grid.GetCellData())):
+            names = [ours.GetArrayName(i) for i in range(ours.GetNumberOfArrays())]
+            self.assertEqual(names, [theirs.GetArrayName(i) for i in range(theirs.GetNumberOfArrays())])
+            for name in names:
+                np.testing.assert_array_equal(to_numpy(ours.GetArray(name)), to_numpy(theirs.GetArray(name)))
+        for i in range(grid.GetNumberOfCells()):
+            points = [to_numpy(data.GetCell(i).GetPoints().GetData()) for data in (lines, grid)]
+            np.testing.assert_array_equal(*points)
+
+    def test_vtk_opens_them(self):
+        to_numpy = imported(self, "vtkmodules.util.numpy_support").vtk_to_numpy
+        for path in self.paths:
+            with self.subTest(path.name):
+                grid = self.opened_by_vtk(path)
+                self.assertGreater(grid.GetNumberOfCells(), 0)
+                self.assertLessEqual({grid.GetCellType(i) for i in range(grid.GetNumberOfCells())}, set(self.TYPES[path.name][0]))
+                if importlib.util.find_spec("meshio"):
+                    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+                        points = imported(self, "meshio").read(path).points
+                    np.testing.assert_array_equal(to_numpy(grid.GetPoints().GetData()), points)
+
+
 class Tqdm(unittest.TestCase):
     def test_bar_shows_the_levels_if_it_is_asked_for(self):
         imported(self, "tqdm")

@@ -20,7 +20,7 @@ except ImportError:
         raise
     OpenDataFile = None
 
-LINE, TRIANGLE, TET, VOXEL = 4, 5, 10, 11
+LINE, TRIANGLE, TET, CUBE = 4, 5, 10, 12
 
 
 def opened(path):
@@ -44,7 +44,7 @@ class ParaView(unittest.TestCase):
         field = cg.solve(*ball(), resolution=24)
         field.write(self.folder / "field", page=False)
         field.streamlines(count=5).write(self.folder / "field" / "streamlines.vtu")
-        kinds = {"field.vtu": [VOXEL], "surface.vtu": [TRIANGLE], "singularities.vtu": [LINE], "streamlines.vtu": [LINE]}
+        kinds = {"field.vtu": [CUBE], "surface.vtu": [TRIANGLE], "singularities.vtu": [LINE], "streamlines.vtu": [LINE]}
         self.assertEqual({path.name for path in (self.folder / "field").glob("*.vtu")}, set(kinds))
         for name, types in kinds.items():
             self.assertEqual(types_in(opened(self.folder / "field" / name)), types, name)

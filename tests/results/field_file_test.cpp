@@ -83,7 +83,7 @@ TEST(FieldFile, KeepsTheConstraintsOfCellsWhereThereAreAny) {
   EXPECT_EQ(read_field(folder.path()).data().constraints, data.constraints);
 }
 
-TEST(FieldFile, HasEveryCellAsAVoxelOfSharedPoints) {
+TEST(FieldFile, HasEveryCellAsAHexahedronOfSharedPoints) {
   const TemporaryFolder folder;
   const FieldData data = sample_data(Degree::kFour);
   write_field(field_of(data), folder.path());
@@ -97,7 +97,9 @@ TEST(FieldFile, HasEveryCellAsAVoxelOfSharedPoints) {
     const Box box = data.tree.root().box(data.tree[i]);
     for (std::size_t corner = 0; corner < 8; ++corner) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double expected = corner >> axis & 1 ? box.high[axis] : box.low[axis];
+        // Around the lower square, then around the upper one.
+        const std::array is_high{corner % 4 == 1 || corner % 4 == 2, corner % 4 >= 2, corner >= 4};
+        const double expected = is_high[axis] ? box.high[axis] : box.low[axis];
         EXPECT_EQ(points[3 * static_cast<std::size_t>(connectivity[8 * i + corner]) + axis], expected);
       }
     }

@@ -124,6 +124,18 @@ TEST(ReadHexahedra, TakesTheFileOfAFolderAndTheUnitOfItsReport) {
   EXPECT_EQ(read.unit, "mm");
 }
 
+TEST(ReadHexahedra, TakesThePartialMeshOfAFolderThatHasNoOther) {
+  const TemporaryFolder folder;
+  HexMesh mesh = made_bricks({2, 1, 1}, {2, 1, 1});
+  mesh.is_partial = true;
+  write_hexahedra(mesh, folder.path() / kPartialHexahedraFile);
+  folder.write("report.json", json_of(SolveReport()).dump());
+  const HexMesh read = read_hexahedra(folder.path());
+  expect_same(read, mesh);
+  EXPECT_TRUE(read.is_partial);
+  EXPECT_FALSE(written_and_read(made_bricks({2, 1, 1}, {2, 1, 1})).is_partial);
+}
+
 TEST(ReadHexahedra, SaysThatAFolderHasNone) {
   const TemporaryFolder folder;
   EXPECT_EQ(error_of_reading(folder.path()),

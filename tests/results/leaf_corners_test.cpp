@@ -53,7 +53,7 @@ class LeafCornersOf : public testing::TestWithParam<Octree> {};
 INSTANTIATE_TEST_SUITE_P(Trees, LeafCornersOf,
                          testing::Values(sample_tree(1), sample_tree(5), scattered_tree()));
 
-TEST_P(LeafCornersOf, AreThoseOfEveryLeafInTheOrderOfAVoxel) {
+TEST_P(LeafCornersOf, AreThoseOfEveryLeafInTheOrderOfAHexahedron) {
   const Octree& tree = GetParam();
   const LeafCorners corners(tree);
   const std::vector<Vector3> positions = positions_of(corners);
@@ -61,8 +61,9 @@ TEST_P(LeafCornersOf, AreThoseOfEveryLeafInTheOrderOfAVoxel) {
   for (CellIndex i = 0; i < tree.size(); ++i) {
     const Box box = tree.root().box(tree[i]);
     for (std::size_t k = 0; k < 8; ++k) {
-      const Vector3 expected{(k & 1 ? box.high : box.low)[0], (k & 2 ? box.high : box.low)[1],
-                             (k & 4 ? box.high : box.low)[2]};
+      const bool x = k % 4 == 1 || k % 4 == 2, y = k % 4 >= 2, z = k >= 4;
+      const Vector3 expected{(x ? box.high : box.low)[0], (y ? box.high : box.low)[1],
+                             (z ? box.high : box.low)[2]};
       ASSERT_EQ(positions[static_cast<std::size_t>(indices[8 * i + k])], expected) << i << " " << k;
     }
   }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
@@ -83,6 +84,47 @@ TEST(StreamlineFile, HasTheLinesPointsAndWhatIsKnownOfThem) {
     }
   }
   EXPECT_EQ(row, file.points());
+}
+
+TEST(StreamlineFile, HasAsObjThePointsAndTheLinesByTheirNumbers) {
+  const TemporaryFolder folder;
+  const std::vector<Streamline> lines{helix(3, 1, 0), helix(2, 0, 1)};
+  write_streamlines(lines, folder.path() / "lines.OBJ");
+  std::istringstream text(content_of(folder.path() / "lines.OBJ"));
+  std::vector<Vector3> points;
+  std::vector<std::string> numbers;
+  for (std::string row; std::getline(text, row);) {
+    std::istringstream words(row.substr(1));
+    if (row[0] == 'v') {
+      Vector3& point = points.emplace_back();
+      for (double& x : point) words >> x;
+    } else if (row[0] == 'l') {
+      numbers.push_back(row);
+    } else {
+      EXPECT_EQ(row[0], '#');
+    }
+  }
+  std::vector<Vector3> expected = lines[0].points;
+  expected.insert(expected.end(), lines[1].points.begin(), lines[1].points.end());
+  EXPECT_EQ(points, expected);
+  EXPECT_EQ(numbers, (std::vector<std::string>{"l 1 2 3", "l 4 5"}));
+}
+
+TEST(StreamlineFile, IsWrittenAsWhatItsNameSaysOrNotAtAll) {
+  const TemporaryFolder folder;
+  write_streamlines(made_lines(), folder.path() / "lines.vtp");
+  EXPECT_NE(content_of(folder.path() / "lines.vtp").find("<VTKFile type=\"PolyData\""), std::string::npos);
+  for (const char* name : {"lines.csv", "lines.vtk", "lines"}) {
+    try {
+      check_streamline_file(folder.path() / name);
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+      EXPECT_NE(std::string(error.what()).find("let it end in .vtu, .vtp or .obj"), std::string::npos);
+    }
+    EXPECT_THROW(write_streamlines(made_lines(), folder.path() / name), Error);
+  }
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"lines.vtp"});
 }
 
 TEST(StreamlineFile, IsNotWrittenOfLinesThatContradictThemselves) {

@@ -247,11 +247,17 @@ TEST(TetMakingRefusal, NamesThePlaceWhereASurfaceCrossesItself) {
 }
 
 TEST(TetMakingRefusal, OfTooManyTetsComesBeforeTheWork) {
-  TetMakingOptions options = tets_of_size(1e-4);
+  TetMakingOptions options = tets_of_size(1e-3);
   const auto start = Clock::now();
   expect_words(error_of(make_box({1, 1, 1}), options), ErrorKind::kLimit,
                {"are to be expected", "larger tets"});
   EXPECT_LT(seconds_since(start), 5);
+}
+
+TEST(TetMakingRefusal, OfSizesThatDoNotSuitThePartTellsItsSize) {
+  for (const double size : {2.0, 1e-5})
+    expect_words(error_of(make_box({1, 1, 1}), tets_of_size(size)), ErrorKind::kUsage,
+                 {"for the part, which is 1 across", "20 along it have a size of 0.05"});
 }
 
 TEST(TetMakingRefusal, OfOptionsOutOfRange) {

@@ -22,7 +22,7 @@ const change = (page, part) => page.evaluate((wanted) => window.crossgrain.chang
 test("hexahedra are shown first, cut, with what the report says of them", async () => {
   const { page, problems } = await shared.page(browser, "hexahedra");
   assert.equal((await state(page)).layers.hexahedra, true);
-  assert.match(await page.locator(by_test("hexahedra")).innerText(), /^!\s*Partial mesh: 432 hexahedra, scaled Jacobian −1\.00 at least, 0\.99 in the mean, 1 inverted\s+1 hexahedron is inverted; try tets of another size\.$/i);
+  assert.match(await page.locator(by_test("hexahedra")).innerText(), /^!\s*Partial mesh: 432 hexahedra, scaled Jacobian −1\.00 at least, 0\.99 in the mean, 1 inverted\s+1 hexahedron is inverted; mesh it with edges of 3\.6\.$/i);
   assert.match(await page.locator(by_test("badge")).textContent(), /partial mesh$/i);
   assert.match(await page.locator(by_test("shown")).innerText(), /^\d+ hexahedra shown\.$/);
   const legend = (await page.locator(by_test("legend-hexahedra")).innerText()).replace(/\s+/g, " ");

@@ -71,13 +71,13 @@ const box_faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3
 const box = (height) => stl_text([...square(0), ...square(height)], box_faces);
 const pyramid = stl_text([...square(0), [0, 0, 2]], [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
 
-for (const [name, model_text, words] of [["box", box(1.5), "can be meshed locally"], ["pyramid", pyramid, "cannot be meshed"], ["plate", box(0.03), "undecided"]]) {
+for (const [name, model_text, words] of [["box", box(1.5), "hexahedra fit locally"], ["pyramid", pyramid, "this field has no hexahedra"], ["plate", box(0.03), "undecided"]]) {
   test(`the page of a ${name} gives the answer of check: ${words}`, { skip }, async () => {
     const [stl, out] = [join(folder, `${name}.stl`), join(folder, name)];
     writeFileSync(stl, model_text);
     execFileSync(program, ["solve", stl, "-o", out, "--quiet", "--resolution", "32"]);
     // The page names what is to be set; the program, its option.
-    const answer = execFileSync(program, ["check", out], { encoding: "utf8" }).split("\n")[0].replace("use --resolution", "use a resolution of");
+    const answer = execFileSync(program, ["check", out], { encoding: "utf8" }).split("\n")[0].replace("solve with --resolution", "use a resolution of");
     assert.ok(answer.startsWith(words), answer);
     const { page, context, problems } = await open(browser, pathToFileURL(join(out, "report.html")).href, { device: kPhone });
     assert.match(await page.locator('[data-testid="badge"]').textContent(), new RegExp(`${words}$`));

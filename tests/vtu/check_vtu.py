@@ -32,7 +32,7 @@ def inflate(data, offset):
 
 def main(path):
     content = open(path, "rb").read()
-    begin = re.search(rb'<AppendedData encoding="raw"\s*>\s*_', content)
+    begin = re.search(rb'<AppendedData\s+encoding="raw">\s*_', content)
     end = content.rindex(b"</AppendedData>")
     data = content[begin.end():end]
     # Without the raw data the file must be well-formed XML.

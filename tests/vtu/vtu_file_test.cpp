@@ -192,6 +192,7 @@ TEST(VtuFile, HasItsTagOfDataWhereEveryVtkFindsIt) {
     const std::size_t attributes = content.find('>', behind) - behind;
     EXPECT_GE(attributes, 25u);
     EXPECT_LE(attributes, 37u);
+    EXPECT_EQ(content.substr(behind + attributes - 2, 4), "w\">\n") << "what meshio looks for";
   }
 }
 

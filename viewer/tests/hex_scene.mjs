@@ -54,7 +54,7 @@ export function hexahedra_scene() {
     },
     report: {
       hexahedra: {
-        outcome: "partial", reason: "1 hexahedron is inverted", remedy: "tets of another size", places: [[-8, -8, -18]], hexahedra: hexahedra.length,
+        outcome: "partial", reason: "1 hexahedron is inverted", next: "mesh it with edges of 3.6", places: [[-8, -8, -18]], hexahedra: hexahedra.length,
         scaled_jacobian: { min: Math.min(...shapes), mean, inverted: 1, worst_place: [-8, -8, -18] },
       },
     },

@@ -83,7 +83,7 @@ export function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streaml
   const verdict_of = ({ verdict = 0 }) => ["meshable", "not_meshable", "undecided"][verdict];
   const full_report = {
     schema: 4,
-    verdict: "meshable", answer: "can be meshed locally (necessary, not sufficient)", reasons: [],
+    verdict: "meshable", answer: "hexahedra fit locally (necessary, not sufficient)", reasons: [],
     degree: 4,
     levels: [5, 4, 3, 2, 1, 0].filter((back) => back < depth).map((back) => ({
       depth: depth - back, cells: 2 * cells.length, active_cells: Math.round(cells.length / 4.4 ** back), sweeps: 16,
@@ -217,9 +217,9 @@ export function components_scene() {
     },
     report: {
       verdict: "not_meshable",
-      answer: "cannot be meshed, because a knife edge of 30 degrees leaves room for no hexahedron at 46 26 6; next: give the edge a fillet or a chamfer",
+      answer: "this field has no hexahedra at 46 26 6: the edge of 30 degrees is too sharp for a hexahedron; 'crossgrain hex' may still find a mesh; next: give the edge a fillet or a chamfer",
       reasons: [
-        { kind: "knife_edge", verdict: "not_meshable", count: 1, place: [46, 26, 6], text: "a knife edge of 30 degrees leaves room for no hexahedron", next: "give the edge a fillet or a chamfer" },
+        { kind: "knife_edge", verdict: "not_meshable", count: 1, place: [46, 26, 6], text: "the edge of 30 degrees is too sharp for a hexahedron", next: "give the edge a fillet or a chamfer" },
         { kind: "arc", verdict: "not_meshable", count: 2, place: [0, 0, 0], text: "an arc has a turning point: frames rotate about it in both senses", next: "try other cells" },
         { kind: "walls", verdict: "undecided", count: 0, place: [0, 0, 0], text: "walls under 4 % of the surface have fewer than 2.5 cells", next: "use a resolution of 101" },
       ],

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "documents/program_description.hpp"
+#include "program_description.hpp"
 
 namespace crossgrain::app {
 

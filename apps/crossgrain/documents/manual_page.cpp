@@ -49,6 +49,13 @@ std::string exit_status(const ProgramDescription& program) {
   return fmt::format(".SH EXIT STATUS\n{}\n", roff(program.exit_codes));
 }
 
+/// Lines that are typed as they stand.
+std::string examples_of(const CommandDescription& command) {
+  std::string text = ".SH EXAMPLES\n.nf\n";
+  for (const std::string& example : command.examples) text += roff(example) + "\n";
+  return text + ".fi\n";
+}
+
 std::string page_name(const ProgramDescription& program, const CommandDescription& command) {
   return program.name + "-" + command.name;
 }
@@ -69,7 +76,7 @@ std::string page_of_command(const std::string& name, const std::string& call, co
   }
   return head(name, help) + synopsis + "\n.SH DESCRIPTION\n" + roff(help) + ".\n" +
          section_of("ARGUMENTS", command.arguments) + section_of("OPTIONS", command.options) +
-         exit_status(program) + ".SH SEE ALSO\n" + see_also + "\n";
+         examples_of(command) + exit_status(program) + ".SH SEE ALSO\n" + see_also + "\n";
 }
 
 }  // namespace

@@ -14,9 +14,12 @@
 #include <TopoDS_Shell.hxx>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "cad_reading/program/distinct_bodies.hpp"
 #include "cad_reading/program/fault.hpp"
 #include "cad_reading/program/glued_solids.hpp"
+#include "cad_reading/program/known_faces.hpp"
 
 namespace crossgrain {
 namespace {
@@ -54,48 +57,104 @@ TopoDS_Shape shell_of(const TopoDS_Shape& face) {
 }
 
 /// Joins the faces that belong to no solid into shells: closed shells stay as they are, all else is sewn.
+/// Faces that lie on others are left out if these close up without them: otherwise they may bound a body
+/// beside it.
 class LooseFaces {
  public:
-  LooseFaces(const TopoDS_Shape& shape, double longest_side) : sewing_(kSewingTolerance * longest_side) {
+  LooseFaces(const TopoDS_Shape& shape, double longest_side) : tolerance_(kSewingTolerance * longest_side) {
     std::vector<TopoDS_Shape> to_sew = shapes_of(shape, TopAbs_FACE, TopAbs_SHELL);
     for (const TopoDS_Shape& shell : shapes_of(shape, TopAbs_SHELL, TopAbs_SOLID)) {
       (BRep_Tool::IsClosed(shell) ? shells_ : to_sew).push_back(shell);
     }
     if (to_sew.empty()) return;
-    for (const TopoDS_Shape& part : to_sew) sewing_.Add(part);
-    sewing_.Perform();
-    const TopoDS_Shape sewn = sewing_.SewedShape();
+    const auto [once, copies] = without_copies(to_sew);
+    if (copies > 0) sew(once);
+    if (copies > 0 && sewing_->NbFreeEdges() + sewing_->NbMultipleEdges() == 0)
+      copies_ = copies;
+    else
+      sew(to_sew);
+    collect_shells();
+  }
+
+  const std::vector<TopoDS_Shape>& shells() const { return shells_; }
+
+  /// Number of faces that were left out.
+  std::size_t copies() const { return copies_; }
+
+  /// Returns what a face of the original shape has become.
+  TopoDS_Shape now(const TopoDS_Shape& face) const {
+    return sewing_ ? sewing_->ModifiedSubShape(face) : face;
+  }
+
+ private:
+  /// Returns the faces of shapes that do not lie on earlier ones, and the number of the others.
+  std::pair<std::vector<TopoDS_Shape>, std::size_t> without_copies(
+      const std::vector<TopoDS_Shape>& shapes) const {
+    KnownFaces known(tolerance_);
+    std::vector<TopoDS_Shape> once;
+    std::size_t copies = 0;
+    for (const TopoDS_Shape& shape : shapes) {
+      for (const TopoDS_Shape& face : shapes_of(shape, TopAbs_FACE)) {
+        if (known.hold(face)) {
+          ++copies;
+          continue;
+        }
+        known.add(face);
+        once.push_back(face);
+      }
+    }
+    return {std::move(once), copies};
+  }
+
+  void sew(const std::vector<TopoDS_Shape>& parts) {
+    sewing_.emplace(tolerance_);
+    for (const TopoDS_Shape& part : parts) sewing_->Add(part);
+    sewing_->Perform();
+  }
+
+  void collect_shells() {
+    const TopoDS_Shape sewn = sewing_->SewedShape();
     if (sewn.IsNull()) return;
     for (const TopoDS_Shape& shell : shapes_of(sewn, TopAbs_SHELL)) shells_.push_back(shell);
     for (const TopoDS_Shape& face : shapes_of(sewn, TopAbs_FACE, TopAbs_SHELL))
       shells_.push_back(shell_of(face));
   }
 
-  const std::vector<TopoDS_Shape>& shells() const { return shells_; }
-
-  /// Returns what a face of the original shape has become.
-  TopoDS_Shape now(const TopoDS_Shape& face) const { return sewing_.ModifiedSubShape(face); }
-
- private:
-  BRepBuilderAPI_Sewing sewing_;
+  double tolerance_;
+  std::optional<BRepBuilderAPI_Sewing> sewing_;
   std::vector<TopoDS_Shape> shells_;
+  std::size_t copies_ = 0;
 };
 
-/// Appends the solids, or the pieces that they were cut into.
-void add_solids(const std::vector<TopoDS_Shape>& solids, const std::optional<GluedSolids>& glued,
-                std::vector<Body>& bodies) {
-  if (glued) {
-    for (const auto& [piece, number] : glued->pieces())
-      bodies.push_back({piece, true, static_cast<std::int32_t>(number)});
-    return;
-  }
-  for (const TopoDS_Shape& solid : solids)
-    bodies.push_back({solid, true, static_cast<std::int32_t>(bodies.size())});
+std::vector<TopoDS_Shape> shapes_in(const std::vector<Body>& bodies) {
+  std::vector<TopoDS_Shape> shapes;
+  for (const Body& body : bodies) shapes.push_back(body.shape);
+  return shapes;
 }
 
-Warning warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) {
-  const auto closed = std::count_if(shells.begin(), shells.end(),
-                                    [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); });
+/// Returns the pieces that solids were cut into, with the numbers of these.
+std::vector<Body> pieces_of(const GluedSolids& glued, const std::vector<Body>& solids) {
+  std::vector<Body> pieces;
+  for (const auto& [piece, place] : glued.pieces()) pieces.push_back({piece, true, solids[place].solid});
+  return pieces;
+}
+
+/// Throws Fault if a file has nothing but open faces that meet no other.
+void refuse_faces_alone(const std::vector<Body>& shells) {
+  const auto is_alone = [](const Body& shell) {
+    return !shell.closed && shapes_of(shell.shape, TopAbs_FACE).size() == 1;
+  };
+  if (!std::all_of(shells.begin(), shells.end(), is_alone)) return;
+  throw Fault(shells.size() == 1
+                  ? "has one open face and no solid, and encloses nothing"
+                  : fmt::format("has {} open faces, none of which meets another, and encloses nothing",
+                                shells.size()),
+              Remedy::kCloseSurface);
+}
+
+Warning warning_of(std::size_t solids, const std::vector<Body>& shells) {
+  const auto closed =
+      std::count_if(shells.begin(), shells.end(), [](const Body& shell) { return shell.closed; });
   const std::string parts =
       fmt::format("{} closed and {} open, each solved as a separate solid", closed, shells.size() - closed);
   const char* const what = solids == 0 ? "the file has no solids, only faces, which form shells: "
@@ -125,17 +184,23 @@ Bodies find_bodies(const TopoDS_Shape& shape, const CadReading& options) {
   result.whole = shape;
   const std::vector<TopoDS_Shape> solids = shapes_of(shape, TopAbs_SOLID);
   const double longest_side = longest_side_at_most(shape);
-  std::optional<GluedSolids> glued;
-  if (options.glue && solids.size() > 1) glued.emplace(solids, options.glue_gap * longest_side);
-  add_solids(solids, glued, result.bodies);
   const LooseFaces loose(shape, longest_side);
-  if (!loose.shells().empty()) {
-    result.warnings.push_back(warning_of(solids.size(), loose.shells()));
-    auto number = static_cast<std::int32_t>(solids.size());
-    for (const TopoDS_Shape& shell : loose.shells())
-      result.bodies.push_back({shell, BRep_Tool::IsClosed(shell), number++});
+  const DistinctBodies distinct = distinct_bodies(solids, loose.shells(), kSewingTolerance * longest_side);
+  if (loose.copies() > 0)
+    result.warnings.emplace_back(WarningKind::kRepeatedBodies,
+                                 fmt::format("faces that lie on others, left out: {}", loose.copies()));
+  result.warnings.insert(result.warnings.end(), distinct.warnings.begin(), distinct.warnings.end());
+  std::optional<GluedSolids> glued;
+  if (options.glue && distinct.solids.size() > 1)
+    glued.emplace(shapes_in(distinct.solids), options.glue_gap * longest_side);
+  result.bodies = glued ? pieces_of(*glued, distinct.solids) : distinct.solids;
+  if (!distinct.shells.empty()) {
+    if (solids.empty()) refuse_faces_alone(distinct.shells);
+    result.warnings.push_back(warning_of(solids.size(), distinct.shells));
   }
-  if (glued || !loose.shells().empty()) result.whole = compound_of(result.bodies);
+  result.bodies.insert(result.bodies.end(), distinct.shells.begin(), distinct.shells.end());
+  if (glued || !loose.shells().empty() || distinct.solids.size() < solids.size())
+    result.whole = compound_of(result.bodies);
 
   TopExp::MapShapes(result.whole, TopAbs_FACE, result.faces);
   TopExp::MapShapes(result.whole, TopAbs_EDGE, result.edges);

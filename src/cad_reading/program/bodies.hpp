@@ -35,7 +35,8 @@ struct Bodies {
 
 /// Returns the bodies of a shape. Faces of no solid are sewn together if their edges are within 1e-5 of the
 /// longest side, since files often contain a solid only as its faces. With ReadOptions::glue, solids share
-/// the faces where they touch. Throws Fault if there is no face, or the solids cannot be glued.
+/// the faces where they touch. Solids and shells that are there twice are left out, with a warning
+/// (distinct_bodies.hpp). Throws Fault if there is no face, or the solids cannot be glued.
 Bodies find_bodies(const TopoDS_Shape& shape, const CadReading& options);
 
 /// Upper bound of the longest side of a shape's box; 0 for an empty shape. Throws Fault if the shape is

@@ -11,20 +11,23 @@
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
-#include <TColStd_SequenceOfAsciiString.hxx>
-#include <TCollection_AsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
+#include <gp_Quaternion.hxx>
+#include <gp_Trsf.hxx>
+#include <iterator>
+#include <sstream>
 #include <string_view>
-#include <utility>
 
+#include "cad_reading/placed_breps.hpp"
 #include "cad_reading/program/fault.hpp"
 #include "cad_reading/program/step_contents.hpp"
+#include "cad_reading/program/unit_name.hpp"
 
 namespace crossgrain {
 namespace {
@@ -34,21 +37,6 @@ constexpr const char* kUnit = "mm";
 
 void ask_for_millimetres() {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-}
-
-/// Common spelling of a unit; unknown names in lower case.
-std::string short_unit(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array<std::pair<const char*, const char*>, 6> kShort = {{{"millimetre", "mm"},
-                                                                          {"centimetre", "cm"},
-                                                                          {"metre", "m"},
-                                                                          {"micrometre", "um"},
-                                                                          {"kilometre", "km"},
-                                                                          {"in", "inch"}}};
-  for (const auto& [from, to] : kShort) {
-    if (name == from) return to;
-  }
-  return name;
 }
 
 /// Throws Fault if part of the geometry of an IGES file did not load: OpenCASCADE would go on with null
@@ -69,15 +57,6 @@ void warn_without_unit(CadShape& result) {
   if (result.file_unit.empty())
     result.warnings.emplace_back(WarningKind::kUnknownUnit,
                                  "the file does not give a unit of length; millimetres are assumed");
-}
-
-std::string units_of(STEPControl_Reader& reader) {
-  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
-  reader.FileUnits(lengths, angles, solid_angles);
-  std::string units;
-  for (int i = 1; i <= lengths.Length(); ++i)
-    units += (i > 1 ? ", " : "") + short_unit(lengths(i).ToCString());
-  return units;
 }
 
 /// Reads all parts, and warns of those with faces that could not be read.
@@ -116,7 +95,7 @@ CadShape read_step_shape(const std::string& path) {
   contents.keep_sound_shapes();
   CadShape result;
   result.unit = kUnit;
-  result.file_unit = units_of(reader);
+  result.file_unit = fmt::format("{}", fmt::join(contents.length_units(), ", "));
   warn_without_unit(result);
   transfer_parts(reader, contents, result.warnings);
   result.shape = reader.OneShape();
@@ -150,22 +129,53 @@ CadShape read_iges_shape(const std::string& path) {
   return result;
 }
 
-bool is_binary_brep(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+/// Returns whether a stream begins like a binary BREP file, and goes back to its beginning.
+bool is_binary_brep(std::istream& stream) {
   std::array<char, 40> head{};
-  file.read(head.data(), head.size());
-  return std::string(head.data(), head.size()).find("Open CASCADE") != std::string::npos;
+  stream.read(head.data(), head.size());
+  stream.clear();
+  stream.seekg(0);
+  return std::string_view(head.data(), head.size()).find("Open CASCADE") != std::string_view::npos;
 }
 
 CadShape read_brep_shape(const std::string& path) {
   CadShape result;
-  bool done = false;
-  if (is_binary_brep(path)) {
-    done = BinTools::Read(result.shape, path.c_str());
-  } else {
-    done = BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
-  }
+  std::ifstream file(path, std::ios::binary);
+  const bool done = is_binary_brep(file) ? BinTools::Read(result.shape, path.c_str())
+                                         : BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
   if (!done) throw Fault("is damaged, or not a BREP file that OpenCASCADE can read", Remedy::kExportAgain);
+  return result;
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// FreeCAD's own unit is the millimetre. Shapes without faces, such as sketches, are left out.
+CadShape read_placed_shapes(const std::string& path) {
+  const auto shapes = placed_breps_in(content_of(path));
+  if (!shapes) throw Fault("its shapes could not be handed on", Remedy::kReinstall);
+  const BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for (const auto& [turn, move, brep] : *shapes) {
+    TopoDS_Shape shape;
+    std::istringstream stream(brep);
+    if (is_binary_brep(stream))
+      BinTools::Read(shape, stream);
+    else
+      BRepTools::Read(shape, stream, BRep_Builder());
+    if (shape.IsNull()) throw Fault("has a shape that OpenCASCADE cannot read", Remedy::kExportAgain);
+    if (!TopExp_Explorer(shape, TopAbs_FACE).More()) continue;
+    gp_Trsf place;
+    place.SetRotation(gp_Quaternion(turn[1], turn[2], turn[3], turn[0]));
+    place.SetTranslationPart(gp_Vec(move[0], move[1], move[2]));
+    builder.Add(compound, shape.Moved(TopLoc_Location(place)));
+  }
+  CadShape result;
+  result.shape = compound;
+  result.unit = result.file_unit = kUnit;
   return result;
 }
 
@@ -174,7 +184,8 @@ CadShape read_brep_shape(const std::string& path) {
 CadShape read_shape(const std::string& path, CadFormat format) {
   CadShape result = format == CadFormat::kStep   ? read_step_shape(path)
                     : format == CadFormat::kIges ? read_iges_shape(path)
-                                                 : read_brep_shape(path);
+                    : format == CadFormat::kBrep ? read_brep_shape(path)
+                                                 : read_placed_shapes(path);
   if (result.shape.IsNull()) throw Fault("has no shapes that could be read", Remedy::kExportAgain);
   return result;
 }

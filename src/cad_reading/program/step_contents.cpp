@@ -8,6 +8,8 @@
 #include <Interface_InterfaceModel.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <StepAP214_AppliedExternalIdentificationAssignment.hxx>
+#include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
+#include <StepBasic_SiUnitAndLengthUnit.hxx>
 #include <StepData_UndefinedEntity.hxx>
 #include <StepRepr_HArray1OfRepresentationItem.hxx>
 #include <StepRepr_ItemDefinedTransformation.hxx>
@@ -30,6 +32,7 @@
 #include <utility>
 
 #include "cad_reading/program/fault.hpp"
+#include "cad_reading/program/unit_name.hpp"
 
 namespace crossgrain {
 namespace {
@@ -102,6 +105,20 @@ void spread(const Interface_Graph& graph, std::vector<bool>& marks, const Step& 
       open.push_back(number);
     }
   }
+}
+
+/// Returns the name of a unit of length; empty for all else.
+std::string length_unit(const Handle(Standard_Transient) & entity) {
+  if (is<StepBasic_SiUnitAndLengthUnit>(entity)) {
+    // In the order of StepBasic_SiPrefix.
+    constexpr std::array kPrefixes = {"E", "P", "T", "G", "M", "k", "h", "da",
+                                      "d", "c", "m", "u", "n", "p", "f", "a"};
+    const auto si = Handle(StepBasic_SiUnitAndLengthUnit)::DownCast(entity);
+    return si->HasPrefix() ? std::string(kPrefixes.at(static_cast<std::size_t>(si->Prefix()))) + "m" : "m";
+  }
+  if (!is<StepBasic_ConversionBasedUnitAndLengthUnit>(entity)) return "";
+  const auto name = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(entity)->Name();
+  return name.IsNull() ? "" : short_unit(name->ToCString());
 }
 
 bool is_of_geometry(const Handle(Standard_Transient) & entity) {
@@ -237,6 +254,20 @@ bool StepContents::holds_faces(const Handle(Standard_Transient) & root) const {
     here = std::move(next);
   }
   return false;
+}
+
+std::vector<std::string> StepContents::length_units() const {
+  std::vector<std::string> units;
+  for (int i = 1; i <= count(); ++i) {
+    if (!is_shape_representation(i) || !shapes_[static_cast<std::size_t>(i)]) continue;
+    const auto read = Handle(StepRepr_Representation)::DownCast(graph_.Entity(i));
+    if (graph_.EntityNumber(read->ContextOfItems()) == 0) continue;
+    for (Interface_EntityIterator all = graph_.Shareds(read->ContextOfItems()); all.More(); all.Next()) {
+      const std::string unit = length_unit(all.Value());
+      if (!unit.empty() && std::ranges::find(units, unit) == units.end()) units.push_back(unit);
+    }
+  }
+  return units;
 }
 
 std::vector<std::string> StepContents::other_files() const {

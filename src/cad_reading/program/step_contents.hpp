@@ -27,6 +27,11 @@ class StepContents {
   /// Returns whether faces belong to a root for transfer, such as a product. Documents have none.
   bool holds_faces(const Handle(Standard_Transient) & root) const;
 
+  /// Returns the units of length in the contexts of representations that hold faces or solids, each once, in
+  /// the order of the file: "mm", "inch", or whatever name the file gives one. STEPControl_Reader::FileUnits
+  /// finds none where a unit is converted by a plain MEASURE_WITH_UNIT, as in files of AP242.
+  std::vector<std::string> length_units() const;
+
   /// Returns the names of other files that hold parts of the model.
   std::vector<std::string> other_files() const;
 

@@ -36,6 +36,15 @@ std::string name_of(const char* kind, std::int32_t tag) {
   return fmt::format("{}_{}", kind, tag);
 }
 
+/// Neither program knows units; who reads the file may. A unit is any text that a caller has set.
+std::string unit_comment(const std::string& unit) {
+  constexpr std::size_t kMostBytes = 20;
+  const bool is_word =
+      !unit.empty() && unit.size() <= kMostBytes &&
+      std::all_of(unit.begin(), unit.end(), [](unsigned char c) { return c > ' ' && c < 0x7f; });
+  return is_word ? fmt::format("** lengths in {}\n", unit) : "";
+}
+
 /// Writes indices as numbers from 1, in lines of several.
 void write_set(OutputFile& file, const std::string& keyword, const std::vector<std::uint32_t>& indices,
                const Monitor& monitor) {
@@ -69,7 +78,8 @@ void write_faces(OutputFile& file, const std::string& name, const HexGroup& grou
 
 void write_abaqus_hexahedra(OutputFile& file, const HexOutput& output, const Monitor& monitor) {
   const HexMesh& mesh = output.mesh;
-  file.write(text_mark(kHexContent, file.solve(), "** ") + "*NODE, NSET=ALL\n");
+  file.write(text_mark(output.content(), file.solve(), "** ") + unit_comment(mesh.unit) +
+             "*NODE, NSET=ALL\n");
   const auto put_node = [&](std::size_t v, char* out) {
     const auto& [x, y, z] = mesh.vertices[v];
     out = put_integer(out, static_cast<std::int64_t>(v + 1), ',');

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "files/file_mark.hpp"
@@ -48,7 +49,7 @@ std::vector<std::int32_t> numbers_of(const std::vector<HexGroup>& groups) {
 class GmshMeshWriter {
  public:
   GmshMeshWriter(OutputFile& file, const HexOutput& output, const Monitor& monitor)
-      : file_(file), mesh_(output.mesh), monitor_(monitor) {
+      : file_(file), mesh_(output.mesh), content_(output.content()), monitor_(monitor) {
     make_entities(output);
     for (Entity& entity : entities_) measure(entity);
     share_nodes();
@@ -56,7 +57,7 @@ class GmshMeshWriter {
 
   void write() {
     file_.write(fmt::format("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n{}$EndComments\n",
-                            text_mark(kHexContent, file_.solve())));
+                            text_mark(content_, file_.solve())));
     write_names();
     write_entities();
     write_nodes();
@@ -205,6 +206,7 @@ class GmshMeshWriter {
 
   OutputFile& file_;
   const HexMesh& mesh_;
+  const std::string_view content_;
   const Monitor& monitor_;
   std::vector<Entity> entities_;  ///< surfaces first, then volumes
 };

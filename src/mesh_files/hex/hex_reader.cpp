@@ -34,6 +34,7 @@ class HexReader {
       mesh.regions = file_.read<std::int32_t>(VtuSection::kCellData, field_arrays::kRegion, 1);
     require(mesh.regions.empty() || mesh.regions.size() == mesh.hexahedra.size());
     check_boundary(mesh);
+    mesh.is_partial = file_.find(VtuSection::kFieldData, hex_arrays::kPartial) != nullptr;
     return mesh;
   }
 

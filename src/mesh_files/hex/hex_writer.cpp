@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes hexahedra in the format that the name of the file says.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/writing.hpp"
+#include "measure/hex_quality.hpp"
 #include "mesh_files/hex/hex_writers.hpp"
 #include "mesh_files/mesh_formats.hpp"
 
@@ -39,9 +46,19 @@ constexpr std::array kHexFormats{MeshFormat<HexOutput>{".vtu", write_vtu_hexahed
                                  MeshFormat<HexOutput>{".inp", write_abaqus_hexahedra}};
 
 const MeshFormat<HexOutput>& hex_format_of(const std::filesystem::path& path) {
-  return format_of<HexOutput>(path, kHexFormats,
-                              "is no name of a hexahedral mesh that can be written; let it end in .vtu, "
-                              ".mesh, .msh or .inp");
+  return format_of<HexOutput>(path, kHexFormats, "a hexahedral mesh");
+}
+
+/// Whether files of a format are looked at, and not computed with.
+bool is_for_display(const MeshFormat<HexOutput>& format) {
+  return format.extension == ".vtu";
+}
+
+std::optional<std::size_t> first_inverted(const HexMesh& mesh) {
+  const std::vector<double> shapes = scaled_jacobians(mesh);
+  const auto first = std::find_if(shapes.begin(), shapes.end(), is_inverted);
+  if (first == shapes.end()) return std::nullopt;
+  return static_cast<std::size_t>(first - shapes.begin());
 }
 
 }  // namespace
@@ -49,10 +66,21 @@ const MeshFormat<HexOutput>& hex_format_of(const std::filesystem::path& path) {
 HexOutput::HexOutput(const HexMesh& shown)
     : mesh(checked(shown)), sides(sides_of_boundary(shown)), groups(groups_of(shown)) {}
 
-std::vector<std::string> hexahedra_file_names() {
+HexFilesOf hex_files_of(const HexMesh& mesh, InvertedHexahedra inverted) {
+  return {mesh.is_partial, inverted == InvertedHexahedra::kRefused && first_inverted(mesh)};
+}
+
+std::vector<std::string> hexahedra_file_names(HexFilesOf which) {
   std::vector<std::string> names;
   for (const MeshFormat<HexOutput>& format : kHexFormats)
-    names.push_back("hexahedra" + std::string(format.extension));
+    if (!which.for_display_only || is_for_display(format))
+      names.push_back((which.is_partial ? "hexahedra.partial" : "hexahedra") + std::string(format.extension));
+  return names;
+}
+
+std::vector<std::string> all_hexahedra_file_names() {
+  std::vector<std::string> names = hexahedra_file_names({});
+  for (std::string& name : hexahedra_file_names({.is_partial = true})) names.push_back(std::move(name));
   return names;
 }
 
@@ -60,9 +88,18 @@ void write_hexahedra_file(OutputFile& file, const HexOutput& output, const Monit
   hex_format_of(file.name()).write(file, output, monitor);
 }
 
-void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor) {
+void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor,
+                     InvertedHexahedra inverted) {
   const MeshFormat<HexOutput>& format = hex_format_of(path);
-  write_mesh(format, HexOutput(mesh), path, monitor);
+  const HexOutput output(mesh);
+  if (inverted == InvertedHexahedra::kRefused && !is_for_display(format)) {
+    if (const auto first = first_inverted(mesh))
+      throw Error(ErrorKind::kUsage,
+                  {path.string(), fmt::format("hexahedron {}", *first + 1),
+                   "is inverted, and a solver would not say so; write .vtu, which is for display, or "
+                   "allow inverted hexahedra"});
+  }
+  write_mesh(format, output, path, monitor);
 }
 
 void check_hexahedra_path(const std::filesystem::path& path) {

@@ -8,26 +8,42 @@
 
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/monitor.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/output_file.hpp"
 #include "mesh_files/hex/hex_groups.hpp"
 
 namespace crossgrain {
-
-/// What files of text say of their content.
-inline constexpr std::string_view kHexContent = "hexahedra with numbers of regions and faces";
 
 /// A valid mesh with what its files tell of it.
 struct HexOutput {
   /// Throws Error(kUsage) if the mesh contradicts itself.
   explicit HexOutput(const HexMesh& mesh);
 
+  /// What files of text say of their content.
+  std::string_view content() const {
+    return mesh.is_partial ? "partial: these hexahedra are not the whole model, or some are inverted"
+                           : "hexahedra with numbers of regions and faces";
+  }
+
   const HexMesh& mesh;
   std::vector<BoundarySide> sides;  ///< of HexMesh::boundary
   HexGroups groups;
 };
 
+/// Which files a folder has of hexahedra.
+struct HexFilesOf {
+  bool is_partial = false;  ///< HexMesh::is_partial
+  bool for_display_only = false;
+};
+
+/// Those of a mesh.
+HexFilesOf hex_files_of(const HexMesh& mesh, InvertedHexahedra inverted);
+
 /// hexahedra.vtu and so on: the files of hexahedra in the folder of a field, each of one format.
-std::vector<std::string> hexahedra_file_names();
+std::vector<std::string> hexahedra_file_names(HexFilesOf which);
+
+/// All that a folder may have.
+std::vector<std::string> all_hexahedra_file_names();
 
 /// Writes one of them to a file of its name.
 void write_hexahedra_file(OutputFile& file, const HexOutput& output, const Monitor& monitor);

@@ -105,8 +105,7 @@ void write_vtu_map(OutputFile& file, const HexMap& map, const Monitor& monitor) 
 }
 
 void write_map(const HexMap& map, const std::filesystem::path& path, const Monitor& monitor) {
-  const MeshFormat<HexMap>& format = format_of<HexMap>(
-      path, kMapFormats, "is no name of a map that can be written; let it end in .hexex or .vtu");
+  const MeshFormat<HexMap>& format = format_of<HexMap>(path, kMapFormats, "a map");
   check(map);
   write_mesh(format, map, path, monitor);
 }

@@ -6,7 +6,7 @@ namespace crossgrain {
 
 void write_medit_hexahedra(OutputFile& file, const HexOutput& output, const Monitor& monitor) {
   const HexMesh& mesh = output.mesh;
-  begin_medit(file, kHexContent, mesh.vertices, monitor);
+  begin_medit(file, output.content(), mesh.vertices, monitor);
   if (!mesh.boundary.empty())
     write_medit_elements(
         file, "Quadrilaterals", mesh.boundary.size(),

@@ -33,6 +33,9 @@ void write_vtu_hexahedra(OutputFile& file, const HexOutput& output, const Monito
   arrays.push_back(value_array<std::int32_t>(VtuSection::kFieldData, hex_arrays::kBoundaryTag,
                                              mesh.boundary.size(),
                                              [&mesh](std::size_t i) { return mesh.boundary[i].tag; }));
+  if (mesh.is_partial)
+    arrays.push_back(value_array<std::uint8_t>(VtuSection::kFieldData, hex_arrays::kPartial, 1,
+                                               [](std::size_t) { return std::uint8_t{1}; }));
   arrays.push_back(points_array(mesh.vertices.size(), [&mesh](std::size_t i) { return mesh.vertices[i]; }));
   if (fits_32_bits(mesh.vertices.size(), 8 * mesh.hexahedra.size()))
     add_hexahedra<std::int32_t>(mesh, arrays);

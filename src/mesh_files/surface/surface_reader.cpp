@@ -8,8 +8,10 @@
 #include <string>
 #include <system_error>
 
+#include "archives/gzip.hpp"
 #include "cad_reading/cad_reader.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "files/read_memory.hpp"
 #include "mesh_files/tets/tet_reader.hpp"
@@ -42,13 +44,20 @@ constexpr std::array kSurfaceFormats = {
     SurfaceFormat{".obj", triangles_by<read_obj>},
     SurfaceFormat{".ply", triangles_by<read_ply>},
     SurfaceFormat{".off", triangles_by<read_off>},
+    SurfaceFormat{".3mf", triangles_by<read_3mf>},
     SurfaceFormat{".step", triangles_of<CadFormat::kStep>, CadFormat::kStep},
     SurfaceFormat{".stp", triangles_of<CadFormat::kStep>, CadFormat::kStep},
     SurfaceFormat{".iges", triangles_of<CadFormat::kIges>, CadFormat::kIges},
     SurfaceFormat{".igs", triangles_of<CadFormat::kIges>, CadFormat::kIges},
     SurfaceFormat{".brep", triangles_of<CadFormat::kBrep>, CadFormat::kBrep},
     SurfaceFormat{".brp", triangles_of<CadFormat::kBrep>, CadFormat::kBrep},
+    SurfaceFormat{".fcstd", triangles_of<CadFormat::kFreeCad>, CadFormat::kFreeCad},
 };
+
+/// Returns the extension of a file, without that of its packing.
+std::string extension_of(const std::filesystem::path& path) {
+  return unpacked_name(path).extension().string();
+}
 
 const SurfaceFormat* format_of(std::string_view extension) {
   for (const SurfaceFormat& format : kSurfaceFormats) {
@@ -66,7 +75,7 @@ bool is_read_by(const SurfaceFormat& format, const FileSignature& signature) {
 [[noreturn]] void fail_unknown_extension(const InputFile& file, const std::string& extension) {
   if (is_tet_file(file.name()))
     fail_input(file, {},
-               fmt::format("{} files hold tets, and this should be a surface (STL, OBJ, PLY or OFF)",
+               fmt::format("{} files hold tets, and this should be a surface (STL, OBJ, PLY, OFF or 3MF)",
                            in_quotes(extension)),
                Remedy::kConvertFile);
   const std::string what = extension.empty() ? "its name has no extension"
@@ -74,10 +83,11 @@ bool is_read_by(const SurfaceFormat& format, const FileSignature& signature) {
   if (const FileSignature* signature = signature_of(file.bytes()))
     fail_input(file, {}, fmt::format("{}, but it begins like {}", what, kind_of(*signature)),
                remedy_for(*signature));
-  fail_input(file, {},
-             fmt::format("{}: surfaces are .stl, .obj, .ply, .off, .step, .iges or .brep, tets {}", what,
-                         tet_extensions()),
-             Remedy::kConvertFile);
+  fail_input(
+      file, {},
+      fmt::format("{}: surfaces are .stl, .obj, .ply, .off, .3mf, .step, .iges, .brep or .FCStd, tets {}",
+                  what, tet_extensions()),
+      Remedy::kConvertFile);
 }
 
 /// Memory of the file and the mesh together relative to the file size (bench/read_surfaces, rounded).
@@ -95,13 +105,13 @@ void check_memory(const std::filesystem::path& path, const SurfaceFormat* format
 /// Returns the surface as in the file. The bytes of the file are released on return.
 TriangleMesh read_unwelded(const std::filesystem::path& path, const CadReading& options,
                            const Monitor& monitor) {
-  const std::string extension = path.extension().string();
+  const std::string extension = extension_of(path);
   const SurfaceFormat* format = format_of(extension);
   check_memory(path, format);
-  const InputFile file(path);
+  const InputFile file = read_unpacked(path);
   if (format == nullptr) fail_unknown_extension(file, extension);
   try {
-    return format->read(file, options, monitor);
+    return with_unit(format->read(file, options, monitor), options.unit, file.name());
   } catch (const Error&) {
     const FileSignature* signature = signature_of(file.bytes());
     if (signature != nullptr && is_read_by(*format, *signature)) throw;
@@ -113,12 +123,29 @@ TriangleMesh read_unwelded(const std::filesystem::path& path, const CadReading& 
 }  // namespace
 
 std::optional<CadFormat> cad_format_of(const std::filesystem::path& path) {
-  const SurfaceFormat* format = format_of(path.extension().string());
+  const SurfaceFormat* format = format_of(extension_of(path));
   return format == nullptr ? std::nullopt : format->cad;
+}
+
+std::string stem_of_model(const std::filesystem::path& path) {
+  return unpacked_name(path).stem().string();
 }
 
 bool is_cad_file(const std::filesystem::path& path) {
   return cad_format_of(path).has_value();
+}
+
+TriangleMesh with_unit(TriangleMesh mesh, LengthUnit unit, const std::string& file) {
+  if (unit == LengthUnit::kUnknown) return mesh;
+  if (!mesh.file_unit.empty() && mesh.unit != name_of(unit))
+    throw Error(ErrorKind::kUsage,
+                {file, "",
+                 fmt::format("names its unit, {}, and is read in {}; the unit {} is for files that name none",
+                             mesh.file_unit, mesh.unit, name_of(unit))});
+  mesh.unit = name_of(unit);
+  std::erase_if(mesh.warnings,
+                [](const Warning& warning) { return warning.kind == WarningKind::kUnknownUnit; });
+  return mesh;
 }
 
 ReadOptions read_options_for(const SolveOptions& options) {
@@ -138,7 +165,9 @@ TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& 
 TriangleMesh read_surface(const std::filesystem::path& path, const CadReading& options,
                           const Monitor& monitor) {
   const ReadLimits limits(monitor, options.max_memory_bytes);
-  return weld(read_unwelded(path, options, monitor));
+  TriangleMesh mesh = weld(read_unwelded(path, options, monitor));
+  monitor.tell(summary_of(mesh));
+  return mesh;
 }
 
 }  // namespace crossgrain

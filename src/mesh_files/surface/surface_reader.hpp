@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "cad_reading/cad_messages.hpp"
 #include "crossgrain/types.hpp"
@@ -28,7 +29,16 @@ TriangleMesh read_ply(const InputFile& file);
 /// Reads Geomview OFF in text, with any colours, normals and texture coordinates (COFF, NOFF, STOFF).
 TriangleMesh read_off(const InputFile& file);
 
-/// Returns the format of a CAD file by its extension; nothing for other files.
+/// Reads the items of a 3MF document (3MF Core Specification 1.3, with `path` of the Production Extension):
+/// each object with its components, as its transforms place it, in millimetres. Objects that are no part of
+/// what is built, such as supports, are left out.
+TriangleMesh read_3mf(const InputFile& file);
+
+/// Returns a surface with the unit that its file does not name; unchanged for kUnknown. Throws Error(kUsage)
+/// if the file names a unit, and so the surface has another.
+TriangleMesh with_unit(TriangleMesh mesh, LengthUnit unit, const std::string& file);
+
+/// Returns the format of a CAD file by its extension, packed or not; nothing for other files.
 std::optional<CadFormat> cad_format_of(const std::filesystem::path& path);
 
 }  // namespace crossgrain

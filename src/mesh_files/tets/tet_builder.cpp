@@ -112,7 +112,7 @@ TetMesh TetBuilder::finish(const Place& end) {
   if (!other_solids_.empty()) fail_other_solids();
   if (mesh_.tets.empty() && !mesh_.feature_faces.empty())
     fail_input(*file_, end,
-               fmt::format("{} but no tets (for surfaces use STL, OBJ, PLY or OFF)",
+               fmt::format("{} but no tets (for surfaces use STL, OBJ, PLY, OFF or 3MF)",
                            counted(mesh_.feature_faces.size(), "triangle")),
                Remedy::kCutIntoTets);
   if (mesh_.tets.empty()) fail_input(*file_, end, "the file has no tets", Remedy::kExportAgain);

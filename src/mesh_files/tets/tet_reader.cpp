@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "archives/gzip.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/reading.hpp"
 #include "text/file_signature.hpp"
@@ -26,7 +27,7 @@ constexpr std::array kTetFormats = {
 };
 
 const TetFormat* format_of(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = unpacked_name(path).extension().string();
   for (const TetFormat& format : kTetFormats) {
     if (equals_ignoring_case(format.extension, extension)) return &format;
   }
@@ -49,12 +50,12 @@ bool is_tet_file(const std::filesystem::path& path) {
 }
 
 TetMesh read_tets(const std::filesystem::path& path) {
-  const InputFile file(path);
+  const InputFile file = read_unpacked(path);
   const TetFormat* format = format_of(path);
   if (format == nullptr)
     fail_input(file, {},
-               fmt::format("no reader for tets in {} files, only in {}", in_quotes(path.extension().string()),
-                           tet_extensions()),
+               fmt::format("no reader for tets in {} files, only in {}",
+                           in_quotes(unpacked_name(path).extension().string()), tet_extensions()),
                Remedy::kConvertFile);
   try {
     return format->read(file);

@@ -99,8 +99,7 @@ constexpr std::array kWrittenTetFormats{MeshFormat<TetMesh>{".mesh", write_medit
                                         MeshFormat<TetMesh>{".msh", write_msh}};
 
 const MeshFormat<TetMesh>& tet_format_of(const std::filesystem::path& path) {
-  return format_of<TetMesh>(path, kWrittenTetFormats,
-                            "is no name of a tet mesh that can be written; let it end in .mesh or .msh");
+  return format_of<TetMesh>(path, kWrittenTetFormats, "a tet mesh");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ export interface Warning {
 export interface HexReport {
   outcome: string;
   reason?: string;
-  remedy?: string;
+  next?: string;
   places?: Vector[];
   hexahedra: number;
   scaled_jacobian?: { min: number; mean: number; inverted: number; worst_place?: Vector };

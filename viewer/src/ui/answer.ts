@@ -11,8 +11,8 @@ import type { Place } from "./place.ts";
 import { place_groups, place_lists } from "./places.ts";
 
 const kVerdicts: Record<VerdictName, { judgement: Judgement; short: string; sign: string }> = {
-  meshable: { judgement: "good", short: "can be meshed locally", sign: "✓" },
-  not_meshable: { judgement: "bad", short: "cannot be meshed", sign: "!" },
+  meshable: { judgement: "good", short: "hexahedra fit locally", sign: "✓" },
+  not_meshable: { judgement: "bad", short: "this field has no hexahedra", sign: "!" },
   undecided: { judgement: "unsure", short: "undecided", sign: "?" },
 };
 

@@ -68,7 +68,7 @@ export function hexahedra_card(report: Report): HTMLElement | null {
     element("span", { class: `sign ${outcome.judgement}`, "aria-hidden": "true" }, outcome.sign),
     element("div", {},
       element("p", { class: "words" }, element("strong", { class: "verdict-text" }, outcome.short), `: ${summary_of(hexahedra)}`),
-      hexahedra.reason ? element("p", { class: "fine" }, `${hexahedra.reason}${hexahedra.remedy ? `; try ${hexahedra.remedy}` : ""}.`) : null),
+      hexahedra.reason ? element("p", { class: "fine" }, `${hexahedra.reason}${hexahedra.next ? `; ${hexahedra.next}` : ""}.`) : null),
   );
 }
 

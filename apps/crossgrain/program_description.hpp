@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A command line as values, for the writers of completions and man pages.
+// A command line as values, for help, completions and man pages.
 #pragma once
 
 #include <string>
@@ -27,6 +27,7 @@ struct OptionDescription {
 struct CommandDescription {
   std::string name;
   std::string help;
+  std::vector<std::string> examples;  ///< lines to type, with a remark behind "#"
   std::vector<OptionDescription> options;
   std::vector<OptionDescription> arguments;  ///< by their places
 };
@@ -40,6 +41,7 @@ struct ProgramDescription {
 };
 
 ProgramDescription describe(const CLI::App& app);
+CommandDescription describe_command(const CLI::App& command);
 
 /// Returns the beginning of a help text, up to a remark in brackets or behind a semicolon.
 std::string short_help(const std::string& help);

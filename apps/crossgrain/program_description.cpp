@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "documents/program_description.hpp"
+#include "program_description.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -55,13 +55,19 @@ OptionDescription describe_option(const CLI::Option& option) {
 ProgramDescription describe(const CLI::App& app) {
   ProgramDescription program{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
   for (const CLI::Option* option : app.get_options()) program.options.push_back(describe_option(*option));
-  for (const CLI::App* subcommand : app.get_subcommands({})) {
-    CommandDescription command{subcommand->get_name(), subcommand->get_description(), {}, {}};
-    for (const CLI::Option* option : subcommand->get_options())
-      (option->get_positional() ? command.arguments : command.options).push_back(describe_option(*option));
-    program.commands.push_back(std::move(command));
-  }
+  for (const CLI::App* command : app.get_subcommands({}))
+    program.commands.push_back(describe_command(*command));
   return program;
+}
+
+CommandDescription describe_command(const CLI::App& command) {
+  CommandDescription description{command.get_name(), command.get_description(), {}, {}, {}};
+  if (const std::string footer = command.get_footer(); !footer.empty())
+    description.examples = parts_of(footer, '\n');
+  for (const CLI::Option* option : command.get_options())
+    (option->get_positional() ? description.arguments : description.options)
+        .push_back(describe_option(*option));
+  return description;
 }
 
 std::string short_help(const std::string& help) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether hexahedra are what a model of several solids asks for.
+#pragma once
+
+#include "crossgrain/hexahedra.hpp"
+#include "tets/tet_solid.hpp"
+
+namespace crossgrain {
+
+/// Judges complete hexahedra by the solids of their model (its tets), in two ways. Sets HexOutcome::kFlawed
+/// with reason, remedy and places where solids touch without common vertices, overlap, or have no hexahedra.
+/// Warns (WarningKind::kCrossedInterfaces) where the faces between hexahedra of two solids are off the faces
+/// between these. A model whose solids are united is asked only about those that share no vertices.
+void judge_solids(const HexMesh& mesh, const TetSolid& model, bool is_united, HexReport& report,
+                  std::vector<Warning>& warnings);
+
+}  // namespace crossgrain

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What no hexahedra can have, in words for whoever changes the part.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "crossgrain/field_analysis.hpp"
+
+namespace crossgrain {
+
+/// Returns faces by their numbers: "face 3", "faces 3, 5 and 9"; empty without numbers.
+std::string words_of_faces(const std::vector<std::int32_t>& faces);
+
+/// Returns " between faces 3 and 5", or " of face 3"; empty without numbers.
+std::string between(const std::vector<std::int32_t>& faces);
+
+/// Each returns why no hexahedra fit: "the edge of 30 degrees between faces 3 and 5 is too sharp for a
+/// hexahedron", "face 9 tapers to nothing between faces 12 and 17".
+std::string fault_of(const FieldAnalysis::Singularity::Crease& crease);
+std::string fault_of(const FieldAnalysis::Singularity::Corner& corner);
+std::string fault_of(const FieldAnalysis::Singularity::Arc& arc);
+std::string fault_of(const FieldAnalysis::Singularity::Node& node);
+
+}  // namespace crossgrain

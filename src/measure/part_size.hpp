@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a size that is asked for suits a part: most that do not are in another unit.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "crossgrain/message.hpp"
+#include "surface/bvh.hpp"
+
+namespace crossgrain {
+
+/// The size of a part, model units.
+struct PartSize {
+  double longest = 0;  ///< longest side of its bounding box
+  double volume = 0;
+  double area = 0;
+  std::string unit;  ///< TriangleMesh::unit
+};
+
+/// Returns the size of the part in a closed surface.
+PartSize part_size(const Surface& surface);
+
+/// A size of elements that is asked for.
+struct AskedSize {
+  double size = 0;       ///< model units
+  const char* elements;  ///< "tets"
+  double least = 1;      ///< number of them that the longest side must hold
+  double usual = 20;     ///< number of them along it by default
+  double expected = 0;   ///< number of them that fill the part
+  Remedy remedy = Remedy::kNone;
+};
+
+/// Throws Error(kUsage) if elements of a size are larger than the part, or so many that no memory holds them.
+/// The message tells the size of the part, the unit that it may be in, and a size that suits it.
+void check_asked_size(const AskedSize& asked, const PartSize& part);
+
+/// Returns a length with its unit: "0.2 mm".
+std::string length_text(double length, const std::string& unit);
+
+/// Lines of which `usual_thickness` takes the median.
+inline constexpr std::size_t kThicknessLines = 1000;
+
+/// Returns the thickness of most of a part: the median, over the area of its surface, of the length of the
+/// line that runs inward along the normal until it leaves the solid. The edge of a cube, the diameter of a
+/// sphere or a rod, the thickness of a plate. Infinite if most lines do not leave.
+double usual_thickness(const TriangleBvh& surface, std::size_t lines = kThicknessLines);
+
+}  // namespace crossgrain

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meshing/asked_hexahedra.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "crossgrain/error.hpp"
+#include "measure/part_size.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Hexahedra that must fit across most of a part: with one, a wall has no vertex inside, and a map must round
+/// both of its sides to neighbouring planes.
+constexpr double kAcross = 2;
+
+/// Hexahedra whose tets are not too many to be made: a third of the 20 million that make_tets allows, whose
+/// edges are 1.4 times as long.
+constexpr double kMostHexahedra = 6.5e6;
+
+void check_count(double expected, double size, const PartSize& part) {
+  if (expected <= kMostHexahedra) return;
+  throw Error(
+      ErrorKind::kLimit,
+      {"", "",
+       fmt::format("about {:.2g} hexahedra of {} would fill the part, which is {} across, but at most "
+                   "{:.2g} are made",
+                   expected, length_text(size, part.unit), length_text(part.longest, part.unit),
+                   kMostHexahedra),
+       Remedy::kTakeLargerHexahedra});
+}
+
+}  // namespace
+
+void AskedHexahedra::check(const SearchableSurface& surface) {
+  if (std::exchange(is_checked_, true)) return;
+  const PartSize part = part_size(surface.surface());
+  const HexOptions& asked = options_.hexahedra;
+  const double size = asked.size > 0 ? asked.size : part.longest / asked.cells;
+  const double expected = part.volume / size / size / size;
+  check_asked_size({size, "hexahedra", 1, HexOptions().cells, expected, Remedy::kGiveHexSize}, part);
+  const double of_tets = options_.tets.size;
+  if (of_tets > 0) {
+    const double tets = part.volume / of_tets / of_tets / of_tets;
+    check_asked_size({of_tets, "tets", 1, TetMakingOptions().edges, tets, Remedy::kGiveTetSize}, part);
+  } else {
+    check_count(expected, size, part);
+  }
+  const double thickness = usual_thickness(surface.bvh());
+  if (kAcross * size <= thickness) return;
+  warnings_.emplace_back(
+      WarningKind::kThinPart,
+      fmt::format("less than {:g} hexahedra of {} fit across most of the part, which is {} thick there; a "
+                  "size of {:.2g} would leave {:g}",
+                  kAcross, length_text(size, part.unit), length_text(thickness, part.unit),
+                  thickness / kAcross, kAcross),
+      Remedy::kTakeSmallerHexahedra);
+  if (options_.on_warning) options_.on_warning(warnings_.front());
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""`crossgrain hex` of models of several solids: what it calls a success, what it says otherwise, and whether that helps.
+
+CROSSGRAIN_CAD_FILES is the program that makes CAD files; without it Crossgrain was built without OpenCASCADE.
+"""
+
+import json
+import os
+import subprocess
+import unittest
+
+import numpy as np
+
+from program import TIME_LIMIT, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
+
+CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
+NOT_ALL_HEX = 6
+
+
+class HexSolidsTest(CommandTest):
+    def hex(self, *arguments, code=0):
+        """The line about the hexahedra; the report is kept."""
+        self.result = self.run_here("hex", *arguments, "-o", "out", "--no-report")
+        self.assertEqual(self.result.returncode, code, self.result.stdout + self.result.stderr)
+        self.report = json.loads((self.folder / "out/report.json").read_text())
+        return next(line for line in self.result.stdout.splitlines() if line.startswith("hexahedra"))
+
+
+class OfTriangles(HexSolidsTest):
+    def test_touching_bodies_are_no_success(self):
+        low, high = box_triangles((4.0, 4.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (0.7, 0.9, 2)
+        self.write("two.stl", stl_bytes(np.concatenate([low, high])))
+        line = self.hex("two.stl", "--size", "1", code=NOT_ALL_HEX)
+        self.assertRegex(line, "flawed.* in 2 bodies.*solids 1 and 2 touch, but are meshed apart.* at .*; try uniting them")
+        self.assertEqual(self.report["hexahedra"]["outcome"], "flawed")
+        # What it says helps.
+        self.write("one.stl", stl_bytes(box_triangles((4.0, 4.0, 4.0))))
+        self.assertIn("all-hex", self.hex("one.stl", "--size", "1"))
+
+    def test_bodies_apart_are_two_parts_of_one_mesh(self):
+        self.write("two.stl", stl_bytes(np.concatenate([box_triangles((2.0, 2.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (3, 0, 0)])))
+        self.assertRegex(self.hex("two.stl", "--size", "1"), "all-hex.*16 hexahedra in 2 bodies")
+
+
+class OfTets(HexSolidsTest):
+    def test_regions_that_share_no_vertices_are_no_success_until_they_do(self):
+        vertices, tets = tet_box((4, 4, 4), (2.0, 2.0, 2.0))
+        both = np.concatenate([vertices, vertices + (2, 0, 0)])
+        cells = np.concatenate([tets, tets + len(vertices)])
+        self.write("apart.mesh", medit_text(both, cells))
+        line = self.hex("apart.mesh", "--size", "1", code=NOT_ALL_HEX)
+        self.assertRegex(line, "flawed.*touch.*; try meshing them together, with common vertices")
+        _, first, number = np.unique(np.round(both, 9), axis=0, return_index=True, return_inverse=True)
+        self.write("joined.mesh", medit_text(both[first], number.reshape(-1)[cells]))
+        self.assertRegex(self.hex("joined.mesh", "--size", "1"), "all-hex, 16 hexahedra, ")
+
+
+@unittest.skipUnless(CAD_FILES, "built without OpenCASCADE")
+class OfCadFiles(HexSolidsTest):
+    def setUp(self):
+        super().setUp()
+        subprocess.run([CAD_FILES, self.folder], capture_output=True, timeout=TIME_LIMIT, check=True)
+
+    def test_touching_solids_are_a_success_once_they_are_glued(self):
+        line = self.hex("stacked.brep", "--cells", "8", code=NOT_ALL_HEX)
+        self.assertRegex(line, "flawed.* in 2 bodies.*solids 1 and 2 touch, but are meshed apart.*; try --glue$")
+        self.assertRegex(self.result.stderr, "warning: stacked.brep: solids 1 and 2 touch.*; glue them with --glue\n")
+        self.assertNotIn("merge equal vertices", self.result.stdout + self.result.stderr)
+        line = self.hex("stacked.brep", "--cells", "8", "--glue")
+        self.assertRegex(line, "all-hex, \\d+ hexahedra, ")
+        self.assertEqual(self.report["hexahedra"]["bodies"], 1)
+        self.assertGreater(self.report["hexahedra"]["interface_faces"], 0)
+
+    def test_overlapping_solids_are_a_success_once_they_are_glued(self):
+        line = self.hex("overlapping.brep", "--cells", "8", code=NOT_ALL_HEX)
+        self.assertRegex(line, "flawed.*solids 1 and 2 overlap, and both are meshed whole, one in the other.*; try --glue")
+        self.assertRegex(self.hex("overlapping.brep", "--cells", "15", "--glue"), "all-hex, \\d+ hexahedra, ")
+
+    def test_a_copy_of_the_faces_of_a_solid_is_no_second_mesh(self):
+        for name in ("own_shell.brep", "turned_shell.brep"):
+            with self.subTest(name):
+                line = self.hex(name, "--cells", "6")
+                self.assertIn("all-hex", line)
+                self.assertEqual(self.report["hexahedra"]["bodies"], 1)
+                self.assertIn("shells of faces that bound another body already, left out: 1", self.result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hexahedra of models of several solids.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "crossgrain/hexahedra.hpp"
+#include "crossgrain/solve.hpp"
+#include "hex/solid_judgement.hpp"
+#include "tets/several_tet_meshes.hpp"
+
+namespace crossgrain {
+namespace {
+
+Hexahedra made_of(TetMesh mesh, double size = 1, bool unite_solids = false) {
+  HexOptions options;
+  options.size = size;
+  SolveOptions solving;
+  solving.unite_solids = unite_solids;
+  return hexahedra(
+      solve_onto(TetDomain(std::move(mesh)).prepared_for_map({.unite_solids = unite_solids}), solving),
+      options);
+}
+
+TetMesh box(std::array<std::uint32_t, 3> cells) {
+  return TetBox{cells}.mesh();
+}
+
+bool warns_of_interfaces(const std::vector<Warning>& warnings) {
+  return std::ranges::any_of(
+      warnings, [](const Warning& warning) { return warning.kind == WarningKind::kCrossedInterfaces; });
+}
+
+/// A box of two regions that meet in a plane across its longest side, turned by a slope.
+TetMesh two_regions(double slope) {
+  TetMesh mesh = with_regions(box({4, 2, 2}), [](const Vector3& p) { return p[0] < 2 ? 1 : 2; });
+  for (Vector3& p : mesh.vertices)
+    if (p[0] > 0 && p[0] < 4) p[0] += slope * (p[1] - 1);
+  return mesh;
+}
+
+TEST(SolidJudgement, OfBodiesThatTouchWithoutCommonVerticesIsFlawed) {
+  const HexReport report = made_of(together({box({3, 3, 2}), moved(box({2, 2, 2}), {0.4, 0.6, 2})})).report();
+  EXPECT_EQ(report.outcome, HexOutcome::kFlawed);
+  EXPECT_EQ(report.reason.find("solids 1 and 2 touch, but are meshed apart, without common vertices, at "),
+            0u)
+      << report.reason;
+  EXPECT_EQ(report.remedy, Remedy::kGlueSolids);
+  EXPECT_EQ(report.places.size(), 1u);
+  EXPECT_EQ(report.bodies, 2u);
+}
+
+TEST(SolidJudgement, OfBodiesThatOverlapIsFlawed) {
+  const HexReport report = made_of(together({box({3, 3, 2}), moved(box({1, 1, 2}), {1, 1, 1})})).report();
+  EXPECT_EQ(report.outcome, HexOutcome::kFlawed);
+  EXPECT_EQ(report.reason.find("solids 1 and 2 overlap, and both are meshed whole, one in the other, at "),
+            0u)
+      << report.reason;
+  EXPECT_EQ(report.remedy, Remedy::kSeparateSolids);
+}
+
+TEST(SolidJudgement, OfBodiesApartIsASuccessThatTellsTheirNumber) {
+  const HexReport report = made_of(together({box({2, 2, 2}), moved(box({2, 2, 1}), {3, 0, 0})})).report();
+  EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
+  EXPECT_EQ(sentence_of(report).find("all-hex, 12 hexahedra in 2 bodies, worst"), 0u) << sentence_of(report);
+}
+
+TEST(SolidJudgement, MeasuresFacesBetweenSolidsThatAreKept) {
+  const HexReport report = made_of(two_regions(0)).report();
+  EXPECT_EQ(report.interface_faces, 4u);
+  EXPECT_LT(report.largest_interface_distance, 1e-9);
+}
+
+TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
+  const Hexahedra made = made_of(two_regions(0.4), 1, /*unite_solids=*/true);
+  const double off = 0.4 / std::hypot(1, 0.4);
+  EXPECT_NEAR(made.report().largest_interface_distance, off, 1e-6);
+  EXPECT_FALSE(warns_of_interfaces(made.field.report().warnings));  // nobody asks for these faces
+  HexReport report = made.report();
+  std::vector<Warning> warnings;
+  judge_solids(made.mesh, solid_of(two_regions(0.4)), /*is_united=*/false, report, warnings);
+  ASSERT_TRUE(warns_of_interfaces(warnings));
+  EXPECT_NE(warnings[0].text.find("4 of 4 faces between them are off, by up to 0.37 (0.37 of their size)"),
+            std::string::npos)
+      << warnings[0].text;
+  EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
+}
+
+TEST(SolidJudgement, OfASolidWithoutHexahedraIsFlawed) {
+  const auto region_of = [](const Vector3& p) { return p[0] < 1 && p[1] < 1 && p[2] < 1 ? 2 : 1; };
+  const HexReport report = made_of(with_regions(box({6, 6, 6}), region_of), 3).report();
+  EXPECT_EQ(report.outcome, HexOutcome::kFlawed);
+  EXPECT_EQ(report.reason, "solid 2 is smaller than the hexahedra and has none");
+  EXPECT_EQ(report.remedy, Remedy::kTakeSmallerHexahedra);
+  EXPECT_EQ(made_of(with_regions(box({6, 6, 6}), region_of), 1).report().outcome, HexOutcome::kAllHex);
+}
+
+}  // namespace
+}  // namespace crossgrain

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/fault_words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace crossgrain {
+namespace {
+
+using Corner = FieldAnalysis::Singularity::Corner;
+using Node = FieldAnalysis::Singularity::Node;
+
+TEST(WordsOfFaces, AreTheirNumbersEachOnce) {
+  EXPECT_EQ(words_of_faces({}), "");
+  EXPECT_EQ(words_of_faces({7, 7}), "face 7");
+  EXPECT_EQ(words_of_faces({3, 5, 3, 9}), "faces 3, 5 and 9");
+  EXPECT_EQ(words_of_faces({1, 2, 3, 4, 5, 6}), "faces 1, 2, 3, 4 and 2 others");
+}
+
+TEST(FaultOfACorner, NamesTheFaceThatTapersAndThoseBesideIt) {
+  Corner corner;
+  corner.creases = {1, 3};
+  corner.faces = {9, 12, 17};
+  corner.narrowest_deg = 8;
+  EXPECT_EQ(fault_of(corner), "face 9 tapers to nothing between faces 17 and 12");
+  corner.faces = {};
+  EXPECT_EQ(fault_of(corner), "a face tapers to nothing");
+}
+
+TEST(FaultOfACorner, TellsItsEdges) {
+  Corner corner;
+  corner.creases = {1, 1, 1, 3};
+  corner.faces = {1, 2, 3, 4};
+  corner.narrowest_deg = 60;
+  EXPECT_EQ(
+      fault_of(corner),
+      "no hexahedra fit in a corner of faces 1, 2, 3 and 4 where 3 convex edges and 1 concave edge meet");
+}
+
+TEST(FaultOfANode, OfOneLineIsItsEnd) {
+  Node node;
+  node.arcs = {4};
+  EXPECT_EQ(fault_of(node), "a singular line ends where hexahedra cannot end it");
+}
+
+}  // namespace
+}  // namespace crossgrain
