@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
@@ -27,6 +28,9 @@ constexpr double kRaysPerLetter = 4;
 
 /// A face has room for its number if a circle of this many heights of letters fits into it.
 constexpr double kRoom = 0.45;
+
+/// Of the most room that a face has.
+constexpr double kNearlyMost = 0.9;
 
 /// The numbers of the faces that rays through a grid of pixels meet first; 0 where there is none.
 class SeenFaces {
@@ -75,6 +79,33 @@ class SeenFaces {
   std::vector<std::int32_t> numbers_;
 };
 
+/// For each face the ray that is nearest to the middle of those that see it, of those with nearly the most
+/// room: a strip has as much all along it.
+std::map<std::int32_t, std::size_t> places_in(const SeenFaces& seen, const std::vector<double>& room) {
+  struct Sum {
+    double x = 0, y = 0, count = 0, most = 0;
+  };
+  std::map<std::int32_t, Sum> sums;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i] == 0) continue;
+    Sum& sum = sums[seen[i]];
+    sum.x += seen.x(i), sum.y += seen.y(i), sum.count += 1;
+    sum.most = std::max(sum.most, room[i]);
+  }
+  std::map<std::int32_t, std::pair<double, std::size_t>> best;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i] == 0) continue;
+    const Sum& sum = sums[seen[i]];
+    if (room[i] < kNearlyMost * sum.most) continue;
+    const double away = std::hypot(seen.x(i) - sum.x / sum.count, seen.y(i) - sum.y / sum.count);
+    const auto [place, is_new] = best.try_emplace(seen[i], away, i);
+    if (!is_new && away < place->second.first) place->second = {away, i};
+  }
+  std::map<std::int32_t, std::size_t> places;
+  for (const auto& [number, place] : best) places[number] = place.second;
+  return places;
+}
+
 }  // namespace
 
 Colour colour_of_face(std::int32_t number) {
@@ -114,14 +145,8 @@ std::vector<Label> face_labels(const std::vector<Vector3>& vertices,
   });
 
   const std::vector<double> room = seen.distances_to_others();
-  std::map<std::int32_t, std::size_t> best;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i] == 0) continue;
-    const auto [place, is_new] = best.try_emplace(seen[i], i);
-    if (!is_new && room[i] > room[place->second]) place->second = i;
-  }
   std::vector<Label> labels;
-  for (const auto& [number, i] : best)
+  for (const auto& [number, i] : places_in(seen, room))
     if (room[i] >= kRoom * text_size) labels.push_back({places[i], fmt::format("{}", number)});
   return labels;
 }
