@@ -36,13 +36,13 @@ bool may_be_meant(double elements) {
   return elements >= kLeastMeant && elements <= kMostMeant;
 }
 
-/// Returns a question such as " in metres?"; empty without a guess, or if the unit is known.
+/// Returns a question such as "in metres? "; empty without a guess, or if the unit is known.
 std::string question_about(const AskedSize& asked, const PartSize& part) {
   if (!part.unit.empty()) return "";
   for (const auto& [name, millimetres] : kUnits) {
-    if (may_be_meant(part.longest * millimetres / asked.size)) return fmt::format("; in {}?", name);
+    if (may_be_meant(part.longest * millimetres / asked.size)) return fmt::format("in {}? ", name);
     if (may_be_meant(part.longest / millimetres / asked.size))
-      return fmt::format("; in millimetres, and the size in {}?", name);
+      return fmt::format("in millimetres, and the size in {}? ", name);
   }
   return "";
 }
@@ -93,7 +93,7 @@ void check_asked_size(const AskedSize& asked, const PartSize& part) {
                                : ", no memory holds as many as would fill it";
   throw Error(ErrorKind::kUsage,
               {"", "",
-               fmt::format("{} of {} are too {} for the part, which is {} across{}{}; {:g} along it have a "
+               fmt::format("{} of {} are too {} for the part, which is {} across{}; {}{:g} along it have a "
                            "size of {:.3g}",
                            asked.elements, length_text(asked.size, part.unit), is_large ? "large" : "small",
                            length_text(part.longest, part.unit), many, question_about(asked, part),

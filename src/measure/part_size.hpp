@@ -38,7 +38,9 @@ void check_asked_size(const AskedSize& asked, const PartSize& part);
 /// Returns a length with its unit: "0.2 mm".
 std::string length_text(double length, const std::string& unit);
 
-/// Lines of which `usual_thickness` takes the median.
+/// Lines of which `usual_thickness` takes the median. Of wedge, pillow block and bracket in models/, 30 lines
+/// give up to 67 % more than 1000, 100 lines 5 % less, 300 lines 3 % more. The simpler 2 V / A is .46 to .76
+/// of it, for it counts rims and corners, and a third of the edge of a cube.
 inline constexpr std::size_t kThicknessLines = 1000;
 
 /// Returns the thickness of most of a part: the median, over the area of its surface, of the length of the

@@ -80,7 +80,7 @@ class WrongSizes(CommandTest):
         self.refuse(USAGE, ["hex", "small.stl", "--size", "3"], "small.stl", "hexahedra of 3 are too large", across, "a size of 0.01; set --size")
         self.refuse(USAGE, ["hex", "small.stl", "--size", "0.01", "--tet-size", "3"], "tets of 3 are too large", across, "--tet-size")
         self.refuse(USAGE, ["hex", "small.mesh", "--size", "3"], "small.mesh", across)
-        self.refuse(USAGE, ["tets", "small.stl", "--size", "3"], "tets of 3 are too large", across, "set --size")
+        self.refuse(USAGE, ["tets", "small.stl", "--size", "3", "-o", "out.mesh"], "tets of 3 are too large", across, "set --size")
         self.refuse(USAGE, ["solve", "small.stl", "--tet-size", "3"], "tets of 3 are too large", across, "set --tet-size")
         self.refuse(USAGE, ["solve", "small.stl", "--cell-size", "3"], "cells of 3 are too large", across, "set --cell-size")
         self.refuse(USAGE, ["hex", "large.stl", "--size", "1e9"], "which is 200 across; 20 along it")
