@@ -23,11 +23,11 @@ def pyramid_triangles(height):
 
 
 class AnswerTest(CommandTest):
-    """Two models of each answer, small enough for a second each; a plate is thinner than a cell."""
+    """A model of each answer, and a second without corners that meet; a plate is thinner than a cell."""
 
     MODELS = {"meshable": {"box": box_triangles(), "cylinder": cylinder_triangles()},
-              "not_meshable": {"high": pyramid_triangles(2.0), "higher": pyramid_triangles(2.4)},
-              "undecided": {"plate": box_triangles((4.0, 3.0, 0.1)), "thinner": box_triangles((4.0, 3.5, 0.08))}}
+              "not_meshable": {"high": pyramid_triangles(2.0)},
+              "undecided": {"plate": box_triangles((4.0, 3.0, 0.1))}}
 
     @classmethod
     def setUpClass(cls):
@@ -38,7 +38,7 @@ class AnswerTest(CommandTest):
         for models in cls.MODELS.values():
             for name, triangles in models.items():
                 cls.shared.write(f"{name}.stl", stl_bytes(triangles))
-                result = cls.shared.run_here("solve", f"{name}.stl", "--resolution", 32, "--quiet")
+                result = cls.shared.run_here("solve", f"{name}.stl", "--resolution", 24, "--quiet")
                 assert result.returncode == 0, result.stderr
 
     def setUp(self):

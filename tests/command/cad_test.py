@@ -98,7 +98,7 @@ class WithTheReader(CommandTest):
         subprocess.run([CAD_FILES, self.folder], capture_output=True, timeout=TIME_LIMIT, check=True)
 
     def solve(self, model, *arguments):
-        result = self.run_here("solve", model, "-o", "out", *arguments)
+        result = self.run_here("solve", model, "-o", "out", "--no-report", *arguments)
         self.assert_succeeds(result)
         return result, json.loads((self.folder / "out" / "report.json").read_text())
 

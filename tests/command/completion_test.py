@@ -16,11 +16,12 @@ import time
 import unittest
 from pathlib import Path
 
-from program import CommandTest, run
+from program import KEPT, CommandTest, run
 
 DOCUMENTS = Path(os.environ.get("CROSSGRAIN_DOCUMENTS", ""))
 COMMANDS = ["solve", "sample", "spectrum", "check", "hex", "streamlines", "tets", "render", "view"]
 WAIT_S = 20
+BEHIND = "end_of_offers"
 
 
 def options_of(command):
@@ -37,7 +38,7 @@ def choices_in_help():
 
 
 class Completion:
-    """Cases of all shells; `offers(line)` returns the words that a shell offers at the end of the line."""
+    """Cases of all shells; `offers_of(lines)` returns for each the words that a shell offers at its end. One shell answers all."""
 
     shell = ""
 
@@ -48,22 +49,27 @@ class Completion:
         self.write("part.stl", "")
         (self.folder / "part.frames").mkdir()
 
+    def offers(self, line):
+        return self.offers_of([line])[0]
+
     def test_commands(self):
         self.assertEqual(set(self.offers("crossgrain ")) - {"--help", "-h", "--version"}, {*COMMANDS, "help"})
         self.assertEqual(self.offers("crossgrain st"), ["streamlines"])
 
     def test_options(self):
         self.assertEqual(self.offers("crossgrain solve part.stl --reso"), ["--resolution"])
-        for command in COMMANDS:
+        offered = self.offers_of([f"crossgrain {command} --" for command in COMMANDS])
+        for command, words in zip(COMMANDS, offered):
             long_names = {name for name in options_of(command) if name.startswith("--")}
-            self.assertEqual({word for word in self.offers(f"crossgrain {command} --") if word.startswith("--")}, long_names)
+            self.assertEqual({word for word in words if word.startswith("--")}, long_names)
 
     def test_choices(self):
         cases = list(choices_in_help())
         self.assertGreater(len(cases), 6)
-        for command, option, words in cases:
+        offered = self.offers_of([f"crossgrain {command} {option} " for command, option, _ in cases])
+        for (command, option, words), found in zip(cases, offered):
             with self.subTest(command=command, option=option):
-                self.assertEqual(set(self.offers(f"crossgrain {command} {option} ")), set(words))
+                self.assertEqual(set(found), set(words))
 
     def test_choices_besides_other_values(self):
         self.assertEqual(self.offers("crossgrain render part.frames --view bo"), ["bottom"])
@@ -92,15 +98,15 @@ class Completion:
 class Bash(Completion, CommandTest):
     shell = "bash"
 
-    def offers(self, line):
-        words = line.replace("=", " = ").split(" ")
-        program = words[0]
-        script = f"""source {DOCUMENTS}/bash/{program}
-            COMP_WORDS=({' '.join(words)} {'""' if words[-1] == '' else ''}); COMP_CWORD={len(words) - 1}
-            $(complete -p {program} | sed 's/.*-F \\([^ ]*\\).*/\\1/'); printf '%s\\n' "${{COMPREPLY[@]}}" """
+    def offers_of(self, lines):
+        script = f"source {DOCUMENTS}/bash/crossgrain; source {DOCUMENTS}/bash/crossgrain-mpi\n"
+        for line in lines:
+            words = line.replace("=", " = ").split(" ")
+            script += f"""COMPREPLY=(); COMP_WORDS=({' '.join(words)} {'""' if words[-1] == '' else ''}); COMP_CWORD={len(words) - 1}
+                $(complete -p {words[0]} | sed 's/.*-F \\([^ ]*\\).*/\\1/'); printf '%s\\n' "${{COMPREPLY[@]}}" {BEHIND}\n"""
         result = subprocess.run(["bash", "-c", script], cwd=self.folder, capture_output=True, text=True, timeout=WAIT_S, check=True)
         self.assertEqual(result.stderr, "")
-        return result.stdout.split()
+        return [words.split() for words in result.stdout.split(BEHIND)[:-1]]
 
     def test_values_behind_an_equals_sign(self):
         self.assertEqual(self.offers("crossgrain solve part.stl --boundary=smo"), ["smooth-only"])
@@ -110,13 +116,13 @@ class Bash(Completion, CommandTest):
 class Fish(Completion, CommandTest):
     shell = "fish"
 
-    def offers(self, line):
-        program = line.split(" ")[0]
-        script = f"source {DOCUMENTS}/fish/{program}.fish; complete -C '{line}'"
+    def offers_of(self, lines):
+        script = f"source {DOCUMENTS}/fish/crossgrain.fish; source {DOCUMENTS}/fish/crossgrain-mpi.fish\n"
+        script += "".join(f"complete -C '{line}'; echo {BEHIND}\n" for line in lines)
         environment = {**os.environ, "HOME": str(self.folder / "home"), "TERM": "dumb"}
         result = subprocess.run(["fish", "--no-config", "-c", script], cwd=self.folder, env=environment, capture_output=True, text=True,
                                 timeout=WAIT_S, check=True)
-        return [offer.split("\t")[0] for offer in result.stdout.splitlines()]
+        return [[offer.split("\t")[0] for offer in words.splitlines() if offer] for words in result.stdout.split(f"{BEHIND}\n")[:-1]]
 
 
 class Zsh(Completion, CommandTest):
@@ -125,7 +131,7 @@ class Zsh(Completion, CommandTest):
     shell = "zsh"
     SETUP = """
         PS1= PS2= RPS1=; setopt no_beep
-        autoload -Uz compinit; fpath=({documents}/zsh $fpath); compinit -u -d {folder}/.dump
+        autoload -Uz compinit; fpath=({documents}/zsh $fpath); compinit -u -d {kept}/zsh.dump
         compadd() {{
           # With -A, -D and -O it only sorts words out.
           if [[ " ${{@[1,(i)(-|--)]}} " != *\ -[ADO]\ * ]]; then
@@ -140,10 +146,9 @@ class Zsh(Completion, CommandTest):
         zle -N zle-line-init
     """
 
-    def offers(self, line):
-        for name in (".offers", ".ready", ".done"):
-            (self.folder / name).unlink(missing_ok=True)
-        setup = self.write(".setup", self.SETUP.format(documents=DOCUMENTS, folder=self.folder))
+    def offers_of(self, lines):
+        (self.folder / ".ready").unlink(missing_ok=True)
+        setup = self.write(".setup", self.SETUP.format(documents=DOCUMENTS, folder=self.folder, kept=KEPT.name))
         child, terminal = pty.fork()
         if child == 0:
             os.chdir(self.folder)
@@ -151,14 +156,21 @@ class Zsh(Completion, CommandTest):
         try:
             os.write(terminal, f"source {setup}\n".encode())
             self.wait_for(".ready", terminal)
-            os.write(terminal, line.encode() + b"\t")
-            # The line editor takes up keys in their order: this one when the list is complete.
-            os.write(terminal, b"\x15print done > .done\n")
-            self.wait_for(".done", terminal)
+            return [self.offers_on(terminal, line) for line in lines]
         finally:
             os.kill(child, 9)
             os.waitpid(child, 0)
             os.close(terminal)
+
+    def offers_on(self, terminal, line):
+        for name in (".offers", ".done"):
+            (self.folder / name).unlink(missing_ok=True)
+        os.write(terminal, line.encode() + b"\t")
+        (self.folder / ".ready").unlink()
+        # The line editor takes up keys in their order: this one when the list is complete.
+        os.write(terminal, b"\x15print done > .done\n")
+        for name in (".done", ".ready"):  # a line that is typed before the next prompt is not completed
+            self.wait_for(name, terminal)
         offered = self.folder / ".offers"
         return list(dict.fromkeys(offered.read_text().split())) if offered.exists() else []
 

@@ -42,7 +42,7 @@ class BadFiles(CommandTest):
     def test_each_gives_a_field_or_one_line(self):
         for name, (code, expected) in OUTCOMES.items():
             with self.subTest(name=name):
-                result = run("solve", BAD / name, "-o", self.folder / name, "--no-report")
+                result = run("solve", BAD / name, "-o", self.folder / name, "--resolution", 24, "--no-report")
                 if code != 0:
                     self.assert_fails(result, code, name, *expected)
                     continue
@@ -76,7 +76,7 @@ class Damage(CommandTest):
 
     def solve(self, triangles, name):
         self.write(name + ".stl", stl_bytes(self.put(triangles)))
-        result = self.run_here("solve", name + ".stl", "-o", name, "--resolution", "24", "--no-report")
+        result = self.run_here("solve", name + ".stl", "-o", name, "--resolution", "16", "--no-report")
         self.assert_succeeds(result)
         report = json.loads((self.folder / name / "report.json").read_text())
         findings = report["input"]["findings"]
@@ -188,7 +188,7 @@ class Damage(CommandTest):
                          [("touching components", 1)])
 
     def test_random_triangles_are_refused_whatever_their_number(self):
-        for count in (1000, 2000, 4000, 16000):
+        for count in (1000, 4000):
             with self.subTest(count=count):
                 self.assert_refused(np.random.default_rng(7).random((count, 3, 3)), f"soup of {count} triangles")
 

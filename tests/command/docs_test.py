@@ -17,8 +17,10 @@ import time
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 from documented import ROOT, blocks_of, pages, spans_of
-from program import PROGRAM, TIME_LIMIT, CommandTest, medit_text, run, tet_box
+from program import PROGRAM, TIME_LIMIT, CommandTest, medit_text, run, stl_bytes, tet_box
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
 MPI_PROGRAM = os.environ.get("CROSSGRAIN_MPI_PROGRAM", "")
@@ -55,9 +57,18 @@ def is_here(module):
     return subprocess.run(["python3", "-c", f"import {module}"], capture_output=True, check=False).returncode == 0
 
 
+def angle_iron_triangles(length=400.0):
+    """In place of the bracket, all whose points on pages lie in it; so long that few cells are a 128th of it."""
+    outline = np.array([(0, 0), (45, 0), (45, 26), (20, 26), (20, 60), (0, 60)], float)  # y, z
+    flat = np.array([(0, 1, 2), (0, 2, 3), (0, 3, 5), (3, 4, 5)])
+    low, high = (np.column_stack([np.full(len(outline), x), outline]) for x in (0, length))
+    sides = [(low[k], low[n], high[n], high[k]) for k, n in zip(range(6), (1, 2, 3, 4, 5, 0))]
+    return np.array([*low[flat[:, ::-1]], *high[flat], *(t for a, b, c, d in sides for t in ((a, b, c), (a, c, d)))])
+
+
 class Page(CommandTest):
-    """A folder with all that a page takes for granted: the program, models/, part.step, part.mesh, and a point and a
-    seed inside both the bracket and the part. A block of JSON is constraints.json."""
+    """A folder with all that a page takes for granted: the program, a bracket in models/, part.step, part.mesh, and a point
+    and a seed inside both the bracket and the part. A block of JSON is constraints.json."""
 
     def setUp(self):
         super().setUp()
@@ -65,7 +76,8 @@ class Page(CommandTest):
         for place in places:
             place.parent.mkdir(parents=True)
             place.symlink_to(Path(PROGRAM).resolve())
-        (self.folder / "models").symlink_to(ROOT / "models")
+        (self.folder / "models").mkdir()
+        self.write("models/bracket.stl", stl_bytes(angle_iron_triangles()))
         (self.folder / "docs" / "figures").mkdir(parents=True)
         if MPI_PROGRAM:
             (places[0].parent / "crossgrain-mpi").symlink_to(MPI_PROGRAM)
@@ -74,8 +86,8 @@ class Page(CommandTest):
         self.write("part.mesh", medit_text(*tet_box((8, 6, 4), (40.0, 30.0, 10.0))))
         self.write("points.txt", "30 20 6\n")
         self.write("seeds.txt", "30 20 6\n")
-        root_may = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        self.environment = {**os.environ, **root_may, "PATH": f"{places[0].parent}:{os.environ['PATH']}", "BROWSER": "true"}
+        mpi = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
+        self.environment = {**os.environ, **mpi, "PATH": f"{places[0].parent}:{os.environ['PATH']}", "BROWSER": "true"}
         self.assignments = ""
 
     def make_step(self):

@@ -70,7 +70,7 @@ class ForeignFiles(FolderTest):
                                                 "more.vtu", "picture.png", "frames.txt", "outside.txt"})
 
     def test_what_appears_during_a_solve_does_not_cost_its_result(self):
-        process = subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", "out", "--resolution", "160", "--progress"],
+        process = subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", "out", "--resolution", "96", "--progress"],
                                    cwd=self.folder, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL)
         self.addCleanup(process.stderr.close)
         process.stderr.readline()
@@ -81,7 +81,7 @@ class ForeignFiles(FolderTest):
         self.assertIn("field.vtu", self.contents())
 
     def test_a_killed_solve_leaves_nothing_that_stops_the_next(self):
-        process = subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", "out", "--resolution", "160"], cwd=self.folder,
+        process = subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", "out", "--resolution", "96"], cwd=self.folder,
                                    stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         part = self.folder / ".out.crossgrain-part"
         while process.poll() is None and not part.exists():
@@ -97,7 +97,7 @@ class OneSolveAtATime(FolderTest):
     def test_a_second_solve_into_the_folder_is_refused_and_the_first_is_whole(self):
         for there in (False, True):
             with self.subTest(there=there):
-                process = subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", "a/out", "--resolution", "160", "--progress"],
+                process = subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", "a/out", "--resolution", "96", "--progress"],
                                            cwd=self.folder, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL)
                 self.addCleanup(process.stderr.close)
                 process.stderr.readline()
@@ -108,7 +108,7 @@ class OneSolveAtATime(FolderTest):
                 self.assertEqual([path.name for path in (self.folder / "a").iterdir()], ["out"])
 
     def test_many_into_a_new_folder_leave_one_that_is_whole(self):
-        for k in range(10):
+        for k in range(4):
             runs = [subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", f"new{k}/out", *RESOLUTION, "--quiet"],
                                      cwd=self.folder, stderr=subprocess.PIPE, text=True) for _ in range(3)]
             results = [(run.communicate(timeout=60)[1], run.returncode) for run in runs]

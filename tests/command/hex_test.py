@@ -98,7 +98,7 @@ class HexTest(CommandTest):
 
     def test_the_report_has_the_shapes_of_the_file(self):
         self.write("box.stl", stl_bytes(box_triangles()))
-        made = self.hexahedra("box.stl", "--cells", "5")
+        made = self.hexahedra("box.stl", "--cells", "5", "--tet-size", "0.35")
         quality = scaled_jacobians(self.vertices, self.corners)
         self.assertEqual(made["hexahedra"], len(quality))
         self.assertAlmostEqual(made["scaled_jacobian"]["min"], quality.min(), places=9)
@@ -168,9 +168,9 @@ class HexTest(CommandTest):
 
     def test_the_result_is_the_same_with_one_thread(self):
         self.write("box.stl", stl_bytes(box_triangles()))
-        self.hexahedra("box.stl", "--cells", "6", "--threads", "1")
+        self.hexahedra("box.stl", "--cells", "6", "--tet-size", "0.35", "--threads", "1")
         one = (self.folder / "out/hexahedra.mesh").read_bytes()
-        self.hexahedra("box.stl", "--cells", "6")
+        self.hexahedra("box.stl", "--cells", "6", "--tet-size", "0.35")
         self.assertEqual((self.folder / "out/hexahedra.mesh").read_bytes(), one)
 
     def read_hexex(self, name):
@@ -182,7 +182,7 @@ class HexTest(CommandTest):
 
     def test_the_map_is_written_for_programs_that_extract_hexahedra(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
-        self.hexahedra("cylinder.stl", "--cells", "6", "--write", "hexex,mesh")
+        self.hexahedra("cylinder.stl", "--cells", "5", "--tet-size", "0.3", "--write", "hexex,mesh")
         points, tets, grid = self.read_hexex("hexahedra.hexex")
         # Its cells are the hexahedra, one by one: as many, and a point of the grid in the tets for each vertex.
         self.assertAlmostEqual(np.linalg.det(grid[:, 1:] - grid[:, :1]).sum() / 6, len(self.corners), places=9)

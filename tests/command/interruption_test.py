@@ -71,9 +71,9 @@ class InterruptionTest(CommandTest):
     def files(self, name="out"):
         return {path.name: path.read_bytes() for path in (self.folder / name).iterdir()}
 
-    def stopped_solve(self, level=2, number=signal.SIGINT, arguments=()):
+    def stopped_solve(self, level=1, number=signal.SIGINT):
         """Stopped once that level is finished; exit code, standard output and standard error."""
-        solve = self.start("torus.stl", "-o", "out", *LARGE, *arguments)
+        solve = self.start("torus.stl", "-o", "out", *LARGE, "--no-report")
         solve.wait_for(f"level {level} of {LEVELS}:")
         solve.send(number)
         return solve.end()
@@ -81,7 +81,7 @@ class InterruptionTest(CommandTest):
 
 class Stopped(InterruptionTest):
     def test_leaves_the_last_finished_level_marked_as_unfinished(self):
-        code, output, errors = self.stopped_solve()
+        code, output, errors = self.stopped_solve(level=2)
         self.assertEqual(code, INTERRUPTED)
         report = self.report()
         finished = len(report["levels"])
@@ -112,8 +112,8 @@ class Stopped(InterruptionTest):
 
     def test_by_a_signal_that_comes_twice_at_once(self):
         # As `timeout` sends it, to the process and to its group.
-        solve = self.start("torus.stl", "-o", "out", *LARGE)
-        solve.wait_for(f"level 2 of {LEVELS}:")
+        solve = self.start("torus.stl", "-o", "out", *LARGE, "--no-report")
+        solve.wait_for(f"level 1 of {LEVELS}:")
         solve.send(signal.SIGTERM)
         solve.send(signal.SIGINT)
         self.assertEqual(solve.end()[0], INTERRUPTED)
@@ -125,13 +125,13 @@ class Stopped(InterruptionTest):
         self.assert_succeeds(result)
         self.assertTrue(result.stdout.startswith("UNFINISHED"), result.stdout)
         self.assert_succeeds(self.run_here("sample", "out", "-", stdin=b"0.6 0 0\n"))
-        self.assert_succeeds(self.run_here("solve", "torus.stl", "--from", "out", "-o", "again", "--resolution", 64))
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "--from", "out", "-o", "again", "--resolution", 32, "--no-report"))
         again = self.report("again")
         self.assertNotIn("unfinished", again)
         self.assertNotIn("unfinished", [warning["kind"] for warning in again["warnings"]])
 
     def test_replaces_an_earlier_result_as_a_whole(self):
-        self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "out", "--resolution", 16))
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "out", "--resolution", 16, "--no-report"))
         before = self.files()
         self.stopped_solve()
         after = self.files()
@@ -154,8 +154,8 @@ class Stopped(InterruptionTest):
 
 class AfterTheFinestLevel(InterruptionTest):
     def test_a_stop_changes_nothing_but_to_say_so(self):
-        self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "whole", "--resolution", 160))
-        solve = self.start("torus.stl", "-o", "out", "--resolution", 160)
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "whole", "--resolution", 64, "--no-report"))
+        solve = self.start("torus.stl", "-o", "out", "--resolution", 64, "--no-report")
         levels = len(self.report("whole")["levels"])
         solve.wait_for(f"level {levels} of {levels}:")
         solve.send_while_halted()
@@ -222,7 +222,7 @@ class OnTets(InterruptionTest):
         self.assertIn("no field on the tets", self.run_here("check", "out").stdout)
 
     def test_a_stop_while_levels_are_solved_leaves_the_grid_too(self):
-        solve = self.start("box.mesh", "-o", "out", *LARGE)
+        solve = self.start("box.mesh", "-o", "out", *LARGE, "--no-report")
         solve.wait_for("level 4 of 9:")
         solve.send()
         code, _, errors = solve.end()

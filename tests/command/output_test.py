@@ -19,7 +19,7 @@ class PartOfAField(CommandTest):
         self.write("torus.stl", stl_bytes(torus_triangles()))
 
     def solve(self, name, *arguments):
-        result = self.run_here("solve", "torus.stl", "-o", name, *RESOLUTION, *arguments)
+        result = self.run_here("solve", "torus.stl", "-o", name, "--no-report", *RESOLUTION, *arguments)
         self.assert_succeeds(result)
         return result
 

@@ -17,7 +17,8 @@ PLANE, CONFLICTED = 1, 5
 
 class PageTest(CommandTest):
     def solve(self, name, *arguments):
-        self.assert_succeeds(self.run_here("solve", name, "-o", "out", "--quiet", *map(str, arguments)))
+        self.copied_from_first("out", (name, *arguments), lambda: self.assert_succeeds(
+            self.run_here("solve", name, "-o", "out", "--quiet", *map(str, arguments))))
         self.page = Page(self.folder / "out" / "report.html")
         self.field = Field(self.folder / "out" / "field.vtu")
 
@@ -29,7 +30,7 @@ class OfACylinder(PageTest):
     def setUp(self):
         super().setUp()
         self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
-        self.solve("cylinder.stl", "--resolution", 32)
+        self.solve("cylinder.stl", "--resolution", 24)
 
     def test_needs_no_other_file(self):
         self.assertEqual(self.page.fetched, [])
@@ -111,7 +112,8 @@ class OfTets(PageTest):
         super().setUp()
         self.vertices, self.tets = tet_box((5, 4, 4), (5.0, 4.0, 4.0))
         self.write("box.mesh", medit_text(self.vertices, self.tets))
-        self.assert_succeeds(self.run_here("solve", "box.mesh", "-o", "out", "--quiet"))
+        self.copied_from_first("out", "box.mesh", lambda: self.assert_succeeds(
+            self.run_here("solve", "box.mesh", "-o", "out", "--quiet")))
         self.page = Page(self.folder / "out" / "report.html")
 
     def test_shows_the_tets_and_the_lines_on_them(self):
@@ -137,7 +139,7 @@ class OfTets(PageTest):
 class OfALargeField(PageTest):
     def test_merges_cells_until_there_are_few_enough(self):
         self.write("torus.stl", stl_bytes(torus_triangles()))
-        self.solve("torus.stl", "--resolution", 200)
+        self.solve("torus.stl", "--resolution", 150)
         cells = self.page.header["cells"]
         self.assertEqual(cells["total"], len(self.field))
         self.assertLessEqual(cells["shown"], 200000)

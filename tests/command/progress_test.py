@@ -86,11 +86,11 @@ class Progress(CommandTest):
         narrow_from = []
 
         def make_narrow(terminal, shown):
-            if "level 3 of" in shown and not narrow_from:
+            if "level 2 of" in shown and not narrow_from:
                 set_width(terminal, 20)
                 narrow_from.append(len(shown))
 
-        shown = self.shown_on_terminal("--resolution", 256, meanwhile=make_narrow)
+        shown = self.shown_on_terminal("--resolution", 128, meanwhile=make_narrow)
         last = self.final_lines(shown[narrow_from[0]:])[-3:]
         self.assertLessEqual(max(map(len, last)), 19)
         self.assertTrue(last[0].startswith("level "))
@@ -110,8 +110,8 @@ class Progress(CommandTest):
         self.assertEqual(self.shown_on_terminal("--resolution", 16, "--quiet", "--progress"), "")
 
     def test_elsewhere_there_is_nothing_unless_asked_for_and_then_a_plain_line_a_level(self):
-        self.assertEqual(self.run_here("solve", "torus.stl", "--resolution", 64).stderr, "")
-        result = self.run_here("solve", "torus.stl", "--resolution", 64, "--progress")
+        self.assertEqual(self.run_here("solve", "torus.stl", "--resolution", 16).stderr, "")
+        result = self.run_here("solve", "torus.stl", "--resolution", 32, "--progress")
         self.assertRegex(result.stderr, r"\A[ -~\n]*\Z")
         self.assert_a_line_a_level(result.stderr.splitlines())
 

@@ -66,8 +66,7 @@ class Solve(CommandTest):
         self.assertLess(report["peak_memory_bytes"], memory)
 
     def test_memory_is_given_in_units_of_1000_or_1024_or_in_bytes(self):
-        for text, size in (("32MB", 32e6), ("32M", 32e6), ("32MiB", 32 * 2**20), ("0.032GB", 32e6), ("32000000", 32e6),
-                           ("32000000B", 32e6)):
+        for text, size in (("32M", 32e6), ("32MiB", 32 * 2**20), ("0.032GB", 32e6), ("32000000", 32e6)):
             result = self.run_here("solve", "torus.stl", "--resolution", "512", "-o", "out", "--max-memory", text, "--no-report")
             self.assert_succeeds(result)
             self.assertEqual(self.report("out")["limited"]["memory_bytes"], size)

@@ -64,6 +64,7 @@ class Documentation(unittest.TestCase):
             if "part.step" in text and not CAD_FILES:
                 text = text.replace("part.step", "part.stl")
             text = text.replace("resolution=128", "resolution=16").replace("cell_size=0.5", "cell_size=0.2")
+            text = text.replace("solve(vertices, triangles)", "solve(vertices, triangles, resolution=16)").replace("size=2)", "size=4)")
             with self.subTest(page=page, statement=text), contextlib.redirect_stdout(io.StringIO()):
                 exec(text, names)  # pylint: disable=exec-used
 
