@@ -54,7 +54,7 @@ class ShippedParts(PartTest):
 
     def test_a_further_cell_of_the_bracket_takes_less_than_220_bytes(self):
         cells, memory = [], []
-        for resolution in (96, 192):
+        for resolution in (128, 256):
             report = self.solve(PROJECT / "models" / "bracket.stl", "--resolution", resolution)
             cells.append(report["levels"][-1]["active_cells"])
             memory.append(report["peak_memory_bytes"])

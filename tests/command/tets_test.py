@@ -196,7 +196,7 @@ class MadeOfCad(TetsTest):
     def test_the_report_has_the_unit_of_the_file(self):
         for tets in ((), ("--tets",), ("--tets", "--prepare")):
             with self.subTest(tets):
-                self.assert_succeeds(self.run_here("solve", "plate.step", *tets, "-o", "out", "--force", "--no-report"))
+                self.assert_succeeds(self.run_here("solve", "plate.step", *tets, "-o", "out", "--resolution", 16, "--force", "--no-report"))
                 model = json.loads((self.folder / "out" / "report.json").read_text())["model"]
                 self.assertEqual((model["unit"], model["file_unit"]), ("mm", "mm"))
 
