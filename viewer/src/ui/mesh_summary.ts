@@ -106,8 +106,11 @@ function fit_text(mesh: HexReport, unit: string): string {
   const off = (name: string, of: number | undefined, all: number | undefined): string => (of !== undefined && all ? `${name} ${percent(of / all)}` : "");
   const sizes = [off("volume", volume, model_volume), off("area", area, model_area)].filter(Boolean).join(", ");
   const farthest = farthest_of(mesh);
-  return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, farthest ? `at most ${measured(farthest.distance, 2)}${unit} from the surface` : ""].filter(Boolean).join("; ");
+  const apart = !farthest ? "" : is_off(farthest.distance, mesh) ? `at most ${measured(farthest.distance, 2)}${unit} from the surface` : "on the surface";
+  return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, apart].filter(Boolean).join("; ");
 }
+
+const is_off = (distance: number, { used_size = 1 }: HexReport): boolean => distance > kLeastDistance * used_size;
 
 /** The largest distance of mesh and model from one another, and where it is. */
 function farthest_of({ largest_distance, largest_distance_place, largest_distance_of_model, largest_distance_of_model_place }: HexReport): { distance: number; place?: Vector } | null {
@@ -119,12 +122,19 @@ function farthest_of({ largest_distance, largest_distance_place, largest_distanc
 /** Where the mesh fits worst. */
 function worst_fit({ hexahedra, model }: Report, origin: Vector): Place[] {
   const farthest = hexahedra && hexahedra.hexahedra > 0 ? farthest_of(hexahedra) : null;
-  if (!farthest?.place || farthest.distance === 0) return [];
+  if (!farthest?.place || !is_off(farthest.distance, hexahedra!)) return [];
   return [{ label: "Worst fit", detail: `${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`, point: subtract(farthest.place, origin), warn: false }];
 }
 
+// Below this a share is rounding: of volume and area in percent, of a distance in sizes of hexahedra.
+const kLeastPercent = 0.001;
+const kLeastDistance = 1e-6;
+
 /** With its sign: +0.12 %. */
-const percent = (ratio: number): string => `${ratio < 1 ? "−" : "+"}${measured(Math.abs(100 * (ratio - 1)), 2)} %`;
+function percent(ratio: number): string {
+  const off = 100 * (ratio - 1);
+  return Math.abs(off) < kLeastPercent ? "±0 %" : `${off < 0 ? "−" : "+"}${measured(Math.abs(off), 2)} %`;
+}
 
 const kWays: Record<string, string> = { repair: "repaired", "part of the model": "part of the model left out", "smaller hexahedra": "smaller hexahedra" };
 
