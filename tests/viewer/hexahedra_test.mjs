@@ -4,8 +4,9 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
+import { filled_page } from "../../viewer/tests/scene_writer.mjs";
 import { center_of as center_of_points, hex_mesh } from "../../viewer/tests/hex_scene.mjs";
-import { check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, launch, open, picture, scene_file, scene_named, SharedPages, state } from "./browser.mjs";
+import { check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, launch, open, page_file, picture, scene_file, scene_named, SharedPages, state, template } from "./browser.mjs";
 
 let browser;
 const shared = new SharedPages();
@@ -118,6 +119,12 @@ test("sizes, numbers, worst hexahedron, fit, way and files stand beside what was
   assert.equal(await text("mesh-fit"), "volume −0.12 %, area +0.2 % of the CAD model; at most 0.13 mm from the surface");
   assert.equal(await text("mesh-way"), "attempt 2 of 3: field on 8,748 tets, repaired");
   assert.equal(await text("mesh-files"), "hexahedra.vtu, hexahedra.msh, hexahedra.mesh, hexahedra.inp, hexahedra.hexex");
+  // What is rounding is said to be nothing.
+  const { report: { hexahedra } } = scene_named("all_hex");
+  const exact = { ...report, hexahedra: { ...hexahedra, volume: 16000.0000001, area: 4000, largest_distance: 1e-14, largest_distance_of_model: 0 } };
+  const other = await open(browser, page_file("exact", filled_page(template, exact, null)));
+  assert.equal(await other.page.locator(by_test("mesh-fit")).innerText(), "volume ±0 %, area ±0 % of the CAD model; on the surface");
+  await other.context.close();
   // Numbers of the field say nothing of the mesh.
   for (const test of ["number-energy", "alignment-max", "levels", "answer"]) assert.equal(await page.locator(by_test(test)).isVisible(), false, test);
   await page.locator(`${by_test("field-of-mesh")} > summary`).click();

@@ -114,10 +114,13 @@ test("alignment that was measured nowhere is no number, in the text and on the s
 test("a field of a solve that was stopped says what is missing", async () => {
   // The numbers stand beside the view, and without one.
   const { report } = scene_named("ball");
-  const stopped = { ...report, unfinished: { resolution_asked: 4 * report.resolution, levels_missing: 2, tets_missing: false } };
+  const reason = (kind, text) => ({ kind, verdict: "undecided", count: 0, place: [0, 0, 0], text, next: "" });
+  const reasons = [reason("walls", "walls are thin"), reason("unfinished", "the solve was stopped before its end")];
+  const stopped = { ...report, reasons, unfinished: { resolution_asked: 4 * report.resolution, levels_missing: 2, tets_missing: false } };
   const { page, context, problems } = await open(browser, page_file("stopped", filled_page(template, stopped, null)));
   const done = report.levels.length;
   assert.match(await page.locator(by_test("unfinished")).innerText(), new RegExp(`Unfinished: level ${done} of ${done + 2}\\.[^]* 4 times as fine`));
+  assert.doesNotMatch(await page.locator(by_test("panel-field")).innerText(), /stopped before its end/, "it is said once");
   assert.deepEqual(problems, []);
   await context.close();
 });

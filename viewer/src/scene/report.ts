@@ -89,6 +89,8 @@ export interface HexReport {
   next?: string;
   places?: Vector[];
   hexahedra: number;
+  /** Number that was expected at the size asked for. */
+  expected?: number;
   /** Edge asked for, and taken. */
   size?: number;
   used_size?: number;

@@ -54,7 +54,9 @@ export function places_of_answer(report: Report, origin: Vector): Place[] {
 export function answer_blocks(report: Report, scene: Scene | null, origin: Vector, go: Go | null): HTMLElement[] {
   const answer = answer_of(report);
   const { reasons, others } = reasons_of(report, origin);
-  const [first, ...further] = reasons;
+  const [first, ...rest] = reasons;
+  // That a solve was stopped has a card of its own.
+  const further = rest.filter(({ reason }) => reason.kind !== "unfinished" || !report.unfinished);
   const blocks = answer ? [answer_card(answer, worst_places(report, scene, origin), first?.places ?? [], origin, go)] : [];
   if (further.length > 0) {
     blocks.push(element("section", { class: "block", "data-testid": "further-reasons" }, element("h2", {}, "Further reasons"),

@@ -85,11 +85,10 @@ export function mesh_numbers(report: Report, scene: Scene | null): HTMLElement[]
   return [list, element("dl", { class: "facts" }, ...told.flatMap(([name, text, test]) => [element("dt", {}, name), element("dd", { "data-testid": test }, text)]))];
 }
 
-/** How many would fill the model at the size asked for. */
-function expected_text({ size, model_volume }: HexReport): string {
-  if (!size || !model_volume) return "";
-  const cubes = Math.max(1, model_volume / size ** 3);
-  return `about ${measured(Number(cubes.toPrecision(2)), 2)} at the size asked for`;
+/** How many were expected at the size asked for. */
+function expected_text({ expected }: HexReport): string {
+  if (!expected) return "";
+  return `about ${measured(Number(Math.max(1, expected).toPrecision(2)), 2)} at the size asked for`;
 }
 
 function worst_number({ scaled_jacobian: shapes }: HexReport, scene: Scene | null): string {
@@ -106,8 +105,11 @@ function fit_text(mesh: HexReport, unit: string): string {
   const off = (name: string, of: number | undefined, all: number | undefined): string => (of !== undefined && all ? `${name} ${percent(of / all)}` : "");
   const sizes = [off("volume", volume, model_volume), off("area", area, model_area)].filter(Boolean).join(", ");
   const farthest = farthest_of(mesh);
-  return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, farthest ? `at most ${measured(farthest.distance, 2)}${unit} from the surface` : ""].filter(Boolean).join("; ");
+  const apart = !farthest ? "" : is_off(farthest.distance, mesh) ? `at most ${measured(farthest.distance, 2)}${unit} from the surface` : "on the surface";
+  return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, apart].filter(Boolean).join("; ");
 }
+
+const is_off = (distance: number, { used_size = 1 }: HexReport): boolean => distance > kLeastDistance * used_size;
 
 /** The largest distance of mesh and model from one another, and where it is. */
 function farthest_of({ largest_distance, largest_distance_place, largest_distance_of_model, largest_distance_of_model_place }: HexReport): { distance: number; place?: Vector } | null {
@@ -119,12 +121,19 @@ function farthest_of({ largest_distance, largest_distance_place, largest_distanc
 /** Where the mesh fits worst. */
 function worst_fit({ hexahedra, model }: Report, origin: Vector): Place[] {
   const farthest = hexahedra && hexahedra.hexahedra > 0 ? farthest_of(hexahedra) : null;
-  if (!farthest?.place || farthest.distance === 0) return [];
+  if (!farthest?.place || !is_off(farthest.distance, hexahedra!)) return [];
   return [{ label: "Worst fit", detail: `${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`, point: subtract(farthest.place, origin), warn: false }];
 }
 
+// Below this a share is rounding: of volume and area in percent, of a distance in sizes of hexahedra.
+const kLeastPercent = 0.001;
+const kLeastDistance = 1e-6;
+
 /** With its sign: +0.12 %. */
-const percent = (ratio: number): string => `${ratio < 1 ? "−" : "+"}${measured(Math.abs(100 * (ratio - 1)), 2)} %`;
+function percent(ratio: number): string {
+  const off = 100 * (ratio - 1);
+  return Math.abs(off) < kLeastPercent ? "±0 %" : `${off < 0 ? "−" : "+"}${measured(Math.abs(off), 2)} %`;
+}
 
 const kWays: Record<string, string> = { repair: "repaired", "part of the model": "part of the model left out", "smaller hexahedra": "smaller hexahedra" };
 
@@ -136,11 +145,16 @@ function way_text({ attempts = [], best_attempt = 0 }: HexReport): string {
 }
 
 // What any result with hexahedra has, and how names of what was asked for besides begin.
-const kMeshFiles = ["hexahedra.vtu", "hexahedra.msh", "hexahedra.mesh", "hexahedra.inp"];
 const kMeshFileStart = "hexahedra";
+
+/** Those of every mesh. One with inverted hexahedra is for display alone. */
+function mesh_files({ outcome, scaled_jacobian }: HexReport): string[] {
+  const start = outcome === "partial" ? `${kMeshFileStart}.partial` : kMeshFileStart;
+  return (scaled_jacobian?.inverted ? ["vtu"] : ["vtu", "msh", "mesh", "inp"]).map((format) => `${start}.${format}`);
+}
 
 /** The files that have the mesh, and its map. */
 function files_text({ hexahedra, unmarked_files = [] }: Report): string {
   if (hexahedra!.hexahedra === 0) return "";
-  return [...new Set([...kMeshFiles, ...unmarked_files.map(({ name }) => name).filter((name) => name.startsWith(kMeshFileStart))])].join(", ");
+  return [...new Set([...mesh_files(hexahedra!), ...unmarked_files.map(({ name }) => name).filter((name) => name.startsWith(kMeshFileStart))])].join(", ");
 }
