@@ -162,8 +162,14 @@ std::string fit_row(const HexReport& hexahedra) {
 std::string way_row(const HexReport& hexahedra) {
   if (hexahedra.attempts.empty()) return "";
   const HexAttempt& best = hexahedra.attempts[hexahedra.best_attempt];
-  std::string text = fmt::format("attempt {} of {}: field on {}", hexahedra.best_attempt + 1,
-                                 hexahedra.attempts.size(), counted(best.tets, "tet"));
+  // Making tets is no attempt at a mesh.
+  const auto first = hexahedra.attempts.begin();
+  const auto count_to = [&](std::size_t end) {
+    return std::count_if(first, first + static_cast<std::ptrdiff_t>(end),
+                         [](const HexAttempt& attempt) { return attempt.tet_size == 0; });
+  };
+  std::string text = fmt::format("attempt {} of {}: field on {}", count_to(hexahedra.best_attempt + 1),
+                                 count_to(hexahedra.attempts.size()), counted(best.tets, "tet"));
   for (const HexAttempt& attempt : hexahedra.attempts)
     if (attempt.tet_size > 0 && attempt.round == best.round && attempt.tets > 0)
       text += fmt::format(" of {:.3g}", attempt.tet_size);

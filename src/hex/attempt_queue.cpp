@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hex/attempt_queue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -43,7 +45,9 @@ std::size_t AttemptQueue::most_attempts() const {
 void AttemptQueue::tell_ends(const AttemptKind* next) {
   if (on_end_ && !ends_.empty()) {
     if (next != nullptr) ends_.back().next = next->plan(*this);
-    for (HexAttemptEnd& end : ends_) {
+    for (std::size_t k = 0; k < ends_.size(); ++k) {
+      HexAttemptEnd& end = ends_[k];
+      if (k + 1 < ends_.size()) end.next = fmt::format("attempt {}, made beside it", end.attempt + 1);
       end.attempts = at_meshes_ + (next != nullptr ? most_attempts() : 0);
       on_end_(end);
     }

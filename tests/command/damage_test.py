@@ -42,12 +42,13 @@ class BadFiles(CommandTest):
     def test_each_gives_a_field_or_one_line(self):
         for name, (code, expected) in OUTCOMES.items():
             with self.subTest(name=name):
-                result = run("solve", BAD / name, "-o", self.folder / name, "--resolution", 24, "--no-report")
+                folder = self.folder / f"{name}.frames"
+                result = run("solve", BAD / name, "-o", folder, "--resolution", 24, "--no-report")
                 if code != 0:
                     self.assert_fails(result, code, name, *expected)
                     continue
                 self.assert_succeeds(result)
-                found = json.loads((self.folder / name / "report.json").read_text())["input"]["findings"]
+                found = json.loads((folder / "report.json").read_text())["input"]["findings"]
                 self.assertEqual({finding["kind"]: finding["count"] for finding in found}, expected)
                 lists = ["2568 regions for 2568 tets"] if name == "p01.mesh" else []
                 self.assertEqual(len(result.stderr.splitlines()), len(found) + len(lists))

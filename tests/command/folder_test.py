@@ -166,14 +166,19 @@ class FilesOfDifferentSolves(FolderTest):
 class PlacesThatAreNoFiles(FolderTest):
     def test_are_refused_at_once_by_every_command(self):
         self.assert_succeeds(self.solve("box.stl", "-o", "out"))
-        os.mkfifo(self.folder / "pipe")
-        (self.folder / "link").symlink_to("nowhere")
         self.write("points.txt", "1 0.5 0.5\n")
-        for command in (["render", "out", "--size", "64x64"], ["streamlines", "out"], ["sample", "out", "points.txt"]):
-            for place, words in (("pipe", "is not a regular file"), ("/dev/null", "is not a regular file"),
-                                 ("link", "is a link to nothing"), ("out", "folder")):
+        # Lines are written as what the name says, which comes first.
+        for command, ending in ((["render", "out", "--size", "64x64"], ""), (["streamlines", "out"], ".vtu"), (["sample", "out", "points.txt"], "")):
+            pipe, link, folder = f"pipe{ending}", f"link{ending}", f"folder{ending}"
+            if not (self.folder / pipe).exists():
+                os.mkfifo(self.folder / pipe)
+                (self.folder / link).symlink_to("nowhere")
+                (self.folder / folder).mkdir()
+            for place, words in ((pipe, "is not a regular file"), (link, "is a link to nothing"), (folder, "folder")):
                 with self.subTest(command=command[0], place=place):
                     self.assert_fails(self.run_here(*command, "-o", place), OUTPUT, place, words)
+        for command in (["render", "out"], ["sample", "out", "points.txt"]):
+            self.assert_fails(self.run_here(*command, "-o", "/dev/null"), OUTPUT, "/dev/null", "is not a regular file")
         self.assert_fails(self.run_here("sample", "out", "points.txt", "--outside", "pipe"), OUTPUT, "pipe")
         self.assert_fails(self.solve("box.stl", "-o", "link"), OUTPUT, "link: is a link to nothing")
         self.assert_fails(self.solve("box.stl", "-o", "pipe"), OUTPUT, "pipe: is a file, but must be a folder")

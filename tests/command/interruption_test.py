@@ -161,7 +161,7 @@ class AfterTheFinestLevel(InterruptionTest):
         solve.send_while_halted()
         code, _, errors = solve.end()
         self.assertEqual(code, 0)
-        self.assertIn("interrupted: the field is solved", errors)
+        self.assertIn("interrupted: the result is complete", errors)
         self.assertNotIn("unfinished", self.report())
         self.assertTrue(self.files()["field.vtu"] == self.files("whole")["field.vtu"])
 
@@ -192,7 +192,7 @@ class Cancelled(InterruptionTest):
         solve = self.start("torus.stl", "-o", "out", "--resolution", 160)
         solve.wait_for("analysis")
         solve.send_while_halted()
-        solve.wait_for("interrupted: the field is solved")
+        solve.wait_for("interrupted: the result is complete")
         solve.send_while_halted()
         code, _, errors = solve.end()
         self.assertEqual(code, INTERRUPTED, errors)

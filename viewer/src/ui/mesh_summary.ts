@@ -141,7 +141,9 @@ function way_text({ attempts = [], best_attempt = 0 }: HexReport): string {
   const best = attempts[best_attempt];
   if (!best) return "";
   const along = best.tets ? `field on ${plural(best.tets, "tet")}` : "";
-  return [`attempt ${counted(best_attempt + 1)} of ${counted(attempts.length)}`, [along, kWays[best.kind] ?? ""].filter(Boolean).join(", ")].filter(Boolean).join(": ");
+  // Making tets is no attempt at a mesh.
+  const count_to = (end: number): string => counted(attempts.slice(0, end).filter(({ kind }) => kind !== "tets").length);
+  return [`attempt ${count_to(best_attempt + 1)} of ${count_to(attempts.length)}`, [along, kWays[best.kind] ?? ""].filter(Boolean).join(", ")].filter(Boolean).join(": ");
 }
 
 // What any result with hexahedra has, and how names of what was asked for besides begin.
