@@ -39,6 +39,14 @@ def angles_deg(axes, direction):
     return np.degrees(np.arccos(np.clip(np.abs(axes @ direction).max(axis=1), 0, 1)))
 
 
+
+def without_faces(value):
+    """A part of a report without the numbers of faces, which are tags."""
+    if isinstance(value, dict):
+        return {key: without_faces(item) for key, item in value.items() if key != "faces"}
+    return [without_faces(item) for item in value] if isinstance(value, list) else value
+
+
 class RegionsTest(CommandTest):
     def solve(self, *arguments, folder="out"):
         result = self.run_here("solve", *arguments, "-o", folder, "--no-report")
@@ -250,7 +258,7 @@ class ListsOfEverything(RegionsTest):
                 report = json.loads((self.folder / "out" / "report.json").read_text())
                 self.assertEqual([w["kind"] for w in report["warnings"]], ["listed_topology"])
                 for key in ("energy", "alignment_deg", "creases", "singularity"):
-                    self.assertEqual(report[key], plain[key])
+                    self.assertEqual(without_faces(report[key]), without_faces(plain[key]))
                 self.assertEqual(*[(self.folder / folder / "onto.frames").read_bytes() for folder in ("plain", "out")])
                 for axis in ("axis_u", "axis_v", "axis_w"):
                     np.testing.assert_array_equal(*[self.arrays(folder=folder)[axis] for folder in ("plain", "out")])
