@@ -218,10 +218,9 @@ std::string end_of(const HexCandidate& candidate, double least_quality) {
     explain(candidate, {}, report);
     return report.reason;
   }
-  const std::string what =
-      fmt::format("{} the model", candidate.attempt.hexahedra == 1
-                                      ? "1 hexahedron fills"
-                                      : fmt::format("{} hexahedra fill", candidate.attempt.hexahedra));
+  const std::size_t hexahedra = candidate.made->mesh.hexahedra.size();
+  const std::string what = fmt::format(
+      "{} the model", hexahedra == 1 ? "1 hexahedron fills" : fmt::format("{} hexahedra fill", hexahedra));
   if (candidate.made->is_coarse) return what + ", far fewer than asked for";
   if (report.quality.least >= least_quality) return what;
   return what + fmt::format(", the worst with a scaled Jacobian of {:.2g}", report.quality.least);

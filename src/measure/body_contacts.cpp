@@ -138,14 +138,14 @@ double gap_allowed(const TetBody& other, std::size_t triangle, double sagitta, d
   return rounding + kSagittas * (sagitta + other.sagittas[triangle]);
 }
 
-/// Whether a triangle looks at another body and parts from it, as a ball does from the plane that it lies on:
-/// corners are on the curved surface itself.
+/// Whether a triangle of a curved surface parts from another body, as a ball does from the plane that it lies
+/// on: corners are on the curved surface itself.
 bool parts(const TetBody& body, std::size_t triangle, const TetBody& other, double rounding) {
+  if (body.sagittas[triangle] <= rounding) return false;
   for (const Vector3& corner : body.surface.corners(triangle)) {
     const NearestPoint nearest = other.tree.nearest(corner);
-    const Vector3& normal = other.surface.normals[nearest.triangle];
-    if (dot(body.surface.normals[triangle], normal) > -kLeastCosine) continue;
-    if (dot(corner - nearest.point, normal) > gap_allowed(other, nearest.triangle, 0, rounding)) return true;
+    const double away = dot(nearest.point - corner, body.surface.normals[triangle]);
+    if (away > gap_allowed(other, nearest.triangle, 0, rounding)) return true;
   }
   return false;
 }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
+
 #include "archives/archive_errors.hpp"
 #include "archives/made_archives.hpp"
 #include "crossgrain/read_limits.hpp"
@@ -14,7 +17,7 @@ namespace {
 /// More than one step of reading, and not the same anywhere.
 std::string long_text() {
   std::string text;
-  for (int i = 0; i < 400'000; ++i) text += std::to_string(i * 7919) + "\n";
+  for (std::int64_t i = 0; i < 400'000; ++i) text += std::to_string(i * 7919) + "\n";
   return text;
 }
 

@@ -145,14 +145,17 @@ TEST(Read3mf, RefusesComponentsInThemselvesAndCountsThemBeforeItBuilds) {
 }
 
 TEST(Read3mf, SaysWhatIsMissingInTheArchive) {
-  EXPECT_NE(input_error_as("a.3mf", zipped({{"a", "b"}})).find("'_rels/.rels': is missing"),
-            std::string::npos);
-  EXPECT_NE(input_error_as("a.3mf", zipped({{"_rels/.rels", "<a/>"}})).find("names no model"),
-            std::string::npos);
-  EXPECT_NE(input_error_as("a.3mf", zipped({{"_rels/.rels", k3mfRelationships}}))
-                .find("'3D/3dmodel.model': is missing"),
-            std::string::npos);
-  EXPECT_NE(input_error_as("a.3mf", "solid a").find("no ZIP archive"), std::string::npos);
+  const auto expect = [](const std::string& archive, const std::string& words) {
+    const std::string message = input_error_as("a.3mf", archive);
+    EXPECT_NE(message.find(words), std::string::npos) << message;
+  };
+  // A member of this name makes it a 3MF file.
+  const std::pair<std::string, std::string> other{"other.model", "b"};
+  expect(zipped({other}), "'_rels/.rels': is missing");
+  expect(zipped({other, {"_rels/.rels", "<a/>"}}), "names no model");
+  expect(zipped({other, {"_rels/.rels", k3mfRelationships}}), "'3D/3dmodel.model': is missing");
+  expect(zipped({{"a", "b"}}), "begins like a ZIP archive");
+  expect("solid a", "begins like an STL file");
 }
 
 }  // namespace
