@@ -68,14 +68,14 @@ class OfCadFiles(HexSolidsTest):
         self.assertRegex(self.result.stderr, "warning: stacked.brep: solids 1 and 2 touch.*; glue them with --glue\n")
         self.assertNotIn("merge equal vertices", self.result.stdout + self.result.stderr)
         line = self.hex("stacked.brep", "--cells", "8", "--glue")
-        self.assertRegex(line, "all-hex, \\d+ hexahedra, ")
+        self.assertRegex(line, r"all-hex: \d+ of [0-9.]+$")
         self.assertEqual(self.report["hexahedra"]["bodies"], 1)
         self.assertGreater(self.report["hexahedra"]["interface_faces"], 0)
 
     def test_overlapping_solids_are_a_success_once_they_are_glued(self):
         line = self.hex("overlapping.brep", "--cells", "8", code=NOT_ALL_HEX)
         self.assertRegex(line, "flawed.*solids 1 and 2 overlap, and both are meshed whole, one in the other.*; .*--glue")
-        self.assertRegex(self.hex("overlapping.brep", "--cells", "15", "--glue"), "all-hex, \\d+ hexahedra, ")
+        self.assertRegex(self.hex("overlapping.brep", "--cells", "15", "--glue"), r"all-hex: \d+ of [0-9.]+$")
 
     def test_a_copy_of_the_faces_of_a_solid_is_no_second_mesh(self):
         for name in ("own_shell.brep", "turned_shell.brep"):

@@ -109,7 +109,7 @@ class HexTest(CommandTest):
         rows = [line.split()[0] for line in self.result.stdout.splitlines()]
         self.assertEqual(rows, ["model", "expected", "hexahedra", "worst", "fit", "way", "files", "time"])
         self.assertIn("hexahedra  all-hex: 192 of 0.25\nworst      scaled Jacobian 1 at ", self.result.stdout)
-        self.assertIn("fit        volume within 0.001 % and area within 0.001 % of the model; ", self.result.stdout)
+        self.assertIn("fit        volume within 0.001 % and area within 0.001 % of the tets; ", self.result.stdout)
         self.assertEqual(sorted(set(FILES) & {path.name for path in (self.folder / "out").iterdir()}), FILES)
 
     def test_the_report_has_the_shapes_of_the_file(self):
