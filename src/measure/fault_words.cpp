@@ -75,7 +75,9 @@ std::string fault_of(const Singularity::Corner& corner) {
     return fmt::format("no hexahedra fit at a point of the surface{} where {} {}", where,
                        counted(corner.arcs.size(), "singular line"),
                        corner.arcs.size() == 1 ? "ends" : "end");
-  return fmt::format("no hexahedra fit in a corner{} where {} meet", where, edges_at(corner));
+  return corner.creases.size() == 1
+             ? fmt::format("no hexahedra fit at the end of a sharp edge{}", where)
+             : fmt::format("no hexahedra fit in a corner{} where {} meet", where, edges_at(corner));
 }
 
 std::string fault_of(const Singularity::Arc& arc) {

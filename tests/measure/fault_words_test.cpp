@@ -36,6 +36,14 @@ TEST(FaultOfACorner, TellsItsEdges) {
       "no hexahedra fit in a corner of faces 1, 2, 3 and 4 where 3 convex edges and 1 concave edge meet");
 }
 
+TEST(FaultOfACorner, OfOneEdgeIsItsEnd) {
+  Corner corner;
+  corner.creases = {3};
+  corner.faces = {12};
+  corner.narrowest_deg = 270;
+  EXPECT_EQ(fault_of(corner), "no hexahedra fit at the end of a sharp edge of face 12");
+}
+
 TEST(FaultOfANode, OfOneLineIsItsEnd) {
   Node node;
   node.arcs = {4};
