@@ -133,7 +133,7 @@ const char* words_of(Remedy remedy) {
 
 std::string words_of(Remedy remedy, double number) {
   if (remedy == Remedy::kUseResolution) return fmt::format("use a resolution of {:.0f}", number);
-  if (remedy == Remedy::kUseEdgeLength) return fmt::format("mesh it with edges of {:.3g}", number);
+  if (remedy == Remedy::kUseEdgeLength) return fmt::format("take tets with edges of {:.3g}", number);
   return words_of(remedy);
 }
 

@@ -119,7 +119,7 @@ TEST(Answer, OnTetsIsAboutTheTets) {
   report.onto->crease_deg.mean = 30;
   EXPECT_EQ(
       sentence_of(answer_of(report)),
-      "undecided, because the field is more than 25 degrees off 50 % of the surface; next: mesh it with "
+      "undecided, because the field is more than 25 degrees off 50 % of the surface; next: take tets with "
       "edges of 0.5");
 }
 

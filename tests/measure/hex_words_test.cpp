@@ -52,7 +52,7 @@ TEST(SentenceOfHexahedra, EndsWithReasonAndRemedy) {
   report.reason = "face 9 tapers to nothing between faces 17 and 12 at 1 2 3";
   report.remedy = Remedy::kUseEdgeLength;
   report.remedy_number = 5.9;
-  EXPECT_EQ(sentence_of(report), "none: " + report.reason + "; mesh it with edges of 5.9");
+  EXPECT_EQ(sentence_of(report), "none: " + report.reason + "; take tets with edges of 5.9");
   EXPECT_EQ(sentence_of(report, "try --tet-size 5.9"), "none: " + report.reason + "; try --tet-size 5.9");
   report.remedy = Remedy::kNone;
   EXPECT_EQ(sentence_of(report), "none: " + report.reason);

@@ -58,7 +58,7 @@ export function hexahedra_scene(inverted = true) {
   const mean = shapes.reduce((sum, shape) => sum + shape / shapes.length, 0);
   const faces = faces_of_sides(mesh).flat();
   const quads = (number) => faces.filter((face) => face === number).length;
-  const failed = inverted ? { outcome: "partial", reason: "1 hexahedron is inverted", next: "mesh it with edges of 3.6", places: [worst_place] } : { outcome: "all-hex" };
+  const failed = inverted ? { outcome: "partial", reason: "1 hexahedron is inverted", next: "take tets with edges of 3.6", places: [worst_place] } : { outcome: "all-hex" };
   return tets_scene({
     header: { hexahedra: { total: hexahedra.length, shown: hexahedra.length, inverted: Number(inverted), mean } },
     arrays: {
