@@ -151,11 +151,15 @@ std::string fit_row(const HexReport& hexahedra) {
   const double distance = is_of_model ? hexahedra.largest_distance_of_model : hexahedra.largest_distance;
   const auto& [x, y, z] =
       is_of_model ? hexahedra.largest_distance_of_model_place : hexahedra.largest_distance_place;
-  return row("fit", fmt::format("volume {} and area {} of {}; farthest from the surface by {:.3g} at {:.4g} "
-                                "{:.4g} {:.4g}",
-                                deviation(hexahedra.volume, hexahedra.model_volume),
-                                deviation(hexahedra.area, hexahedra.model_area), words_of(hexahedra.model),
-                                distance, x, y, z));
+  constexpr double kOnSurface = 1e-9;  // in sizes of hexahedra
+  const std::string farthest =
+      distance < kOnSurface * hexahedra.used_size
+          ? "nowhere off the surface"
+          : fmt::format("farthest from the surface by {:.3g} at {:.4g} {:.4g} {:.4g}", distance, x, y, z);
+  return row(
+      "fit",
+      fmt::format("volume {} and area {} of {}; {}", deviation(hexahedra.volume, hexahedra.model_volume),
+                  deviation(hexahedra.area, hexahedra.model_area), words_of(hexahedra.model), farthest));
 }
 
 /// Says which attempt made the mesh.
