@@ -47,7 +47,7 @@ void AttemptQueue::tell_ends(const AttemptKind* next) {
     if (next != nullptr) ends_.back().next = next->plan(*this);
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       HexAttemptEnd& end = ends_[k];
-      if (k + 1 < ends_.size()) end.next = fmt::format("attempt {}, made beside it", end.attempt + 1);
+      if (k + 1 < ends_.size()) end.next = fmt::format("attempt {}, made at the same time", end.attempt + 1);
       end.attempts = at_meshes_ + (next != nullptr ? most_attempts() : 0);
       on_end_(end);
     }
