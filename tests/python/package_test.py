@@ -554,7 +554,8 @@ def in_thread(work):
     return outcome[0][0]
 
 
-# Reads a line once the computation runs, sends Ctrl-C, and expects KeyboardInterrupt within a second.
+# Sends Ctrl-C while the computation runs, and prints the processor time until KeyboardInterrupt comes: the process may have to wait for other
+# programs, and its own work until then is the same on a busy machine.
 INTERRUPTED = """
 import os, signal, sys, threading, time
 sys.path.insert(0, {tests!r})
@@ -563,7 +564,7 @@ import crossgrain as cg
 from solids import ball
 sent = []
 def interrupt():
-    sent.append(time.monotonic())
+    sent.append(time.process_time())
     os.kill(os.getpid(), signal.SIGINT)
 {before}
 timer = threading.Timer({after}, interrupt)
@@ -571,7 +572,7 @@ timer.start()
 try:
     {work}
 except KeyboardInterrupt:
-    print(time.monotonic() - sent[0])
+    print(time.process_time() - sent[0])
 else:
     print("finished")
 # The field is as before.
@@ -635,7 +636,7 @@ time.sleep(0.5)
             self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_let_ctrl_c_end_a_sampling(self):
-        self.interrupted("field.sample(np.random.default_rng(0).uniform(-1, 1, (20000000, 3)))", "field = cg.solve(*ball(), resolution=16)", 2.5)
+        self.interrupted("field.sample(points)", "field, points = cg.solve(*ball(), resolution=16), np.random.default_rng(0).uniform(-1, 1, (20000000, 3))")
 
     def test_solve_at_once_to_the_same_bits(self):
         alone = cg.solve(*ball(), resolution=24)
