@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints a table of docs/notes/hexahedra.md: hexahedra of tet meshes, one row for each mesh and number of
-// cells.
+// Prints the numbers of a table of docs/notes/hexahedra.md: hexahedra of tet meshes, one row for each mesh
+// and number of cells.
 //
 //   hex_table CELLS[,CELLS...] MESH...      tet meshes as for `crossgrain solve`
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the table of docs/notes/map-preparation.md: what TetDomain::prepared_for_map makes of tet meshes,
+// Prints the numbers of docs/notes/map-preparation.md: what TetDomain::prepared_for_map makes of tet meshes,
 // and the singular edges of fields that touch the surface.
 //
 //   map_preparation MESH...      meshes as for `crossgrain solve`

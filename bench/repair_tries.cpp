@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints a table of docs/notes/hexahedra.md: what each of several weights makes of a repair, and whether a
-// map can follow it.
+// Prints the numbers of a table of docs/notes/hexahedra.md: what each of several weights makes of a repair,
+// and whether a map can follow it.
 //
 //   repair_tries MESH...      meshes as for `crossgrain solve`; prepared for a map, solved, and repaired with
 //   one try each
