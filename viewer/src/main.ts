@@ -43,12 +43,12 @@ async function open(): Promise<void> {
   // The numbers are on the screen before the scene is unpacked, which goes on while the context is made.
   await new Promise((resolve) => setTimeout(resolve, 0));
   const unpacked = embedded_scene();
+  if (!unpacked) return say_instead_of_view("This page contains numbers only, no 3D scene.");
   const context = view_context(by_id("view") as HTMLCanvasElement);
   const scene = await unpacked;
   if (!context) {
     return say_instead_of_view("The 3D view needs WebGL 2, which this browser lacks: use another browser, or switch graphics acceleration on. The numbers of the field are shown here.");
   }
-  if (!scene) return say_instead_of_view("This page contains numbers only, no 3D scene.");
   const application = new Application(scene, report, tabs, context);
   tabs_changed = () => application.panels_changed();
   await application.started();

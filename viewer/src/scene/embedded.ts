@@ -13,13 +13,15 @@ export function embedded_report(): Report | null {
 }
 
 /** The scene, or null where the page carries none. */
-export async function embedded_scene(): Promise<Scene | null> {
-  const element = document.getElementById("crossgrain-scene");
+export function embedded_scene(): Promise<Scene> | null {
   const text = text_of("crossgrain-scene");
-  if (!element || text === "" || text.startsWith("/*")) return null;
+  return text === "" || text.startsWith("/*") ? null : unpacked(text);
+}
+
+async function unpacked(text: string): Promise<Scene> {
   const bytes = await gunzipped(bytes_of_base64(text));
   // Megabytes of text that nothing reads again.
-  element.textContent = "";
+  document.getElementById("crossgrain-scene")!.textContent = "";
   return decode_scene(bytes);
 }
 
