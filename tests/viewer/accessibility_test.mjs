@@ -2,14 +2,9 @@
 // What people who cannot see well, or use no pointer, need of the page: names, contrast, focus.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { kDesktop, kPhone, launch, open, scene_file, SharedPages } from "./browser.mjs";
-
-let browser;
-const shared = new SharedPages();
-before(async () => (browser = await launch()));
-after(() => browser?.close());
+import { kDesktop, kPhone, shared_page } from "./browser.mjs";
 
 /** Texts whose contrast to what is behind them is below WCAG 2 AA, as sentences. */
 function faint_texts() {
@@ -63,7 +58,7 @@ function faulty_controls() {
 }
 
 test("texts of hexahedra are legible and their controls have names", async () => {
-  const { page } = await shared.page(browser, "hexahedra");
+  const { page } = await shared_page("hexahedra");
   await page.evaluate(() => window.crossgrain.pickAt(...window.crossgrain.screenOf([-8, -10, -18])));
   assert.ok((await page.evaluate(() => window.crossgrain.state())).hexahedron >= 0);
   for (const panel of ["cell", "field"]) {
@@ -79,7 +74,7 @@ test("texts of hexahedra are legible and their controls have names", async () =>
 
 for (const [device_name, device] of [["desktop", kDesktop], ["phone", kPhone]]) {
   test(`texts are legible and controls have names: ${device_name}, light and dark`, async () => {
-    const { page, context } = await open(browser, scene_file("components"), { device });
+    const { page } = await shared_page("components", { device });
     const select = (panel) => page.locator(`[data-testid="tab-${panel}"]`).click();
     const check = async (where) => {
       for (const colorScheme of ["light", "dark"]) {
@@ -105,12 +100,11 @@ for (const [device_name, device] of [["desktop", kDesktop], ["phone", kPhone]]) 
       await page.keyboard.press("?");
       await check("help");
     }
-    await context.close();
   });
 }
 
 test("the Tab key visits the view, then its buttons, then the panels, and shows where it is", async () => {
-  const { page, context } = await open(browser, scene_file("components"));
+  const { page } = await shared_page("components");
   const visited = [];
   for (let k = 0; k < 60; ++k) {
     await page.keyboard.press("Tab");
@@ -131,11 +125,10 @@ test("the Tab key visits the view, then its buttons, then the panels, and shows 
   assert.ok(order.every((place) => place >= 0) && tab >= 0, `${names}`);
   assert.deepEqual(order.slice(0, 4), [...order.slice(0, 4)].sort((a, b) => a - b), `${names}`);
   assert.deepEqual(order.slice(4), [...order.slice(4)].sort((a, b) => a - b), `${names}`);
-  await context.close();
 });
 
 test("the document has a title, a language, landmarks and one first heading", async () => {
-  const { page } = await shared.page(browser, "ball");
+  const { page } = await shared_page("ball");
   const facts = await page.evaluate(() => ({
     language: document.documentElement.lang, main: document.querySelectorAll("main").length, first: document.querySelectorAll("h1").length,
     live: document.querySelectorAll("[aria-live=polite]").length, view: document.getElementById("view").getAttribute("aria-label"),
@@ -148,7 +141,7 @@ test("the document has a title, a language, landmarks and one first heading", as
 });
 
 test("who wants no motion gets none", async () => {
-  const { page } = await shared.page(browser, "ball");
+  const { page } = await shared_page("ball");
   for (const motion of ["reduce", "no-preference"]) {
     await page.emulateMedia({ reducedMotion: motion });
     await page.evaluate(() => window.crossgrain.setView("front"));

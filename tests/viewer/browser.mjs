@@ -8,26 +8,26 @@ import assert from "node:assert/strict";
 import { mkdtempSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { after } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
 import { chromium } from "../../viewer/node_modules/playwright-core/index.mjs";
-import { kScenes } from "../../viewer/tests/scenes.mjs";
+import { scene_named } from "../../viewer/tests/scenes.mjs";
 import { filled_page } from "../../viewer/tests/scene_writer.mjs";
 
-const kArguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-color-profile=srgb"];
+// WebGL is drawn by software. What is around it needs no GPU, whose shaders software would compile too, and pages share one process, since
+// each new one costs a second.
+const kArguments = [
+  "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-color-profile=srgb",
+  "--disable-gpu-compositing", "--renderer-process-limit=1",
+];
 // Half a device pixel a CSS pixel: software draws a quarter as many, and everything else is as large as it is on a desktop or a phone.
 export const kDesktop = { viewport: { width: 1440, height: 900 }, deviceScaleFactor: 0.5 };
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1 };
 
 const folder = mkdtempSync(join(tmpdir(), "crossgrain-viewer-"));
 export const template = readFileSync(new URL("../../viewer/dist/report.html", import.meta.url), "utf8");
-const made = new Map();
-
-/** The report and the bytes of a test scene. */
-export function scene_named(name) {
-  if (!made.has(name)) made.set(name, kScenes[name]());
-  return made.get(name);
-}
+export { scene_named };
 
 /** Address of a file that holds this page. */
 export function page_file(name, text) {
@@ -41,66 +41,111 @@ export function scene_file(name) {
   return page_file(name, filled_page(template, report, scene));
 }
 
-export const launch = () => chromium.launch({ executablePath: process.env.CROSSGRAIN_CHROMIUM ?? "/usr/bin/chromium", args: kArguments });
+// Without a GPU the browser reads what WebGL has drawn, and warns of it as if the page had.
+const kOfCompositing = /GPU stall due to ReadPixels/;
+
+let launched = null;
+const contexts = new Map();
+after(async () => (await launched)?.close());
+
+/** The context of all pages of a device: pages of one context share a process. */
+async function context_of(device) {
+  launched ??= chromium.launch({ executablePath: process.env.CROSSGRAIN_CHROMIUM ?? "/usr/bin/chromium", args: kArguments });
+  const browser = await launched;
+  const key = JSON.stringify(device);
+  if (!contexts.has(key)) contexts.set(key, browser.newContext(device));
+  return contexts.get(key);
+}
 
 /** Opens a page and waits until it is drawn. `problems` collects console messages, errors and requests to anywhere but the file. */
-export async function open(browser, address, { device = kDesktop, scheme = "light", before = null, motion = "reduce" } = {}) {
-  const context = await browser.newContext({ ...device, colorScheme: scheme, reducedMotion: motion });
-  const page = await context.newPage();
+export async function open(address, { device = kDesktop, scheme = "light", before = null } = {}) {
+  const page = await (await context_of(device)).newPage();
   page.setDefaultTimeout(60_000);
   const problems = [];
-  page.on("console", (message) => problems.push(`${message.type()}: ${message.text()}`));
+  page.on("console", (message) => {
+    if (!kOfCompositing.test(message.text())) problems.push(`${message.type()}: ${message.text()}`);
+  });
   page.on("pageerror", (error) => problems.push(`error: ${error.message}`));
   page.on("request", (request) => {
     if (!/^(file|data|blob):/.test(request.url())) problems.push(`request: ${request.url()}`);
   });
+  await page.emulateMedia({ colorScheme: scheme, reducedMotion: "reduce" });
   if (before) await page.addInitScript(before);
   const start = Date.now();
   await page.goto(address);
   await page.evaluate(() => window.crossgrain.ready);
-  return { page, context, problems, opened_ms: Date.now() - start };
+  return { page, problems, opened_ms: Date.now() - start, opened_in: scheme };
 }
 
-/** Pages that tests of one file share: each scene is opened when it is first asked for. */
-export class SharedPages {
-  constructor() {
-    this.opened = new Map();
-  }
+const shared = new Map();
 
-  /** The page of a scene, shown as it opened, and how long that took. */
-  async page(browser, name) {
-    if (!this.opened.has(name)) {
-      const { page, problems, opened_ms } = await open(browser, scene_file(name));
-      const settings = await state(page);
-      this.opened.set(name, { page, problems, settings, opened_ms, link: await page.evaluate(() => window.crossgrain.link()) });
-      return { page, problems, opened_ms };
-    }
-    const { page, problems, settings, link, opened_ms } = this.opened.get(name);
-    await page.evaluate(async ([{ theme, cut, glyph, layers }, there]) => {
-      const restored = new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
-      history.replaceState(null, "", location.pathname);
-      location.hash = new URL(there).hash;
-      await restored;
-      document.querySelector('[data-testid="tab-field"]').click();
-      await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, below: 1, hexahedron: -1, alone: false, face: null, marked: null });
-    }, [settings, link]);
-    problems.length = 0;
-    return { page, problems, opened_ms };
+/**
+ * The page of a scene on a device, which all tests share. It is opened, in this scheme, when it is first asked for, and afterwards shown
+ * in this scheme as it opened.
+ */
+export async function shared_page(name, { device = kDesktop, scheme = "light" } = {}) {
+  const key = `${name} ${JSON.stringify(device)}`;
+  if (!shared.has(key)) {
+    const opened = await open(scene_file(name), { device, scheme });
+    const folds = await opened.page.evaluate(() => [...document.querySelectorAll("details")].map((one) => one.open));
+    shared.set(key, { ...opened, first: await state(opened.page), link: await opened.page.evaluate(() => window.crossgrain.link()), folds });
+    return opened;
   }
+  const { page, problems, first, link, folds, opened_ms } = shared.get(key);
+  await page.setViewportSize(device.viewport);
+  await page.emulateMedia({ colorScheme: scheme, reducedMotion: "reduce" });
+  await page.evaluate(restore_there, [first, new URL(link).hash, folds]);
+  const { position, target } = (await state(page)).camera;
+  const size = Math.hypot(...first.camera.position.map((value, k) => value - first.camera.target[k]));
+  [...position, ...target].forEach((value, k) => {
+    const before_it = [...first.camera.position, ...first.camera.target][k];
+    assert.ok(Math.abs(value - before_it) < 1e-4 * size, `${name} looks from elsewhere than when it opened: ${value}, not ${before_it}`);
+  });
+  problems.length = 0;
+  return { page, problems, opened_ms, opened_in: shared.get(key).opened_in };
+}
+
+/** Shows a page as it opened; runs in the page. */
+async function restore_there([{ theme, cut, glyph, layers }, hash, folds]) {
+  const tab = document.querySelector('[data-testid="tab-field"]');
+  const is_shown = () => !document.getElementById("panel-field").hidden;
+  if (!matchMedia("(max-width: 799px)").matches) tab.click();
+  else if (!document.body.classList.contains("drawer-closed")) {
+    if (!is_shown()) tab.click();
+    tab.click();
+  }
+  document.getElementById("help").close();
+  // The Tab key goes on from here.
+  const start = document.createElement("span");
+  start.tabIndex = -1;
+  start.style.position = "fixed";
+  document.body.prepend(start);
+  start.focus();
+  start.remove();
+  await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, below: 1, hexahedron: -1, alone: false, face: null, marked: null });
+  [...document.querySelectorAll("details")].forEach((one, k) => (one.open = folds[k] ?? one.open));
+  const restored = new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
+  history.replaceState(null, "", location.pathname);
+  location.hash = hash;
+  await restored;
+  await window.crossgrain.drawn();
 }
 
 // Software drawing and busy machines are slow: the limit is of what would be wrong anywhere.
 const kLongestOpening = 20_000;
 
-/** That a page has opened without complaint, and shows what the reference picture of this name shows. */
-export async function check_opening({ page, problems, opened_ms }, name, width = 360) {
+/** That a page has opened, in this scheme, without complaint, and shows what the reference picture of this name shows. */
+export async function check_opening(name, device_name = "desktop", scheme = "light") {
+  const { page, problems, opened_ms, opened_in } = await shared_page(name, { device: device_name === "phone" ? kPhone : kDesktop, scheme });
+  assert.equal(opened_in, scheme, "another test opened it first");
   assert.ok(opened_ms < kLongestOpening, `${opened_ms} ms`);
   assert.deepEqual(problems, []);
   assert.ok((await drawn_share(page)) > 0.06);
   assert.equal(await page.locator("#message").isVisible(), false);
-  await keep_screenshot(page, name);
-  const current = await picture(page, width);
-  const { mean, share } = await difference(page, current, reference(name, current));
+  const named = `${name}-${device_name}-${scheme}`;
+  await keep_screenshot(page, named);
+  const current = await picture(page, device_name === "phone" ? 240 : 360);
+  const { mean, share } = await difference(page, current, reference(named, current));
   assert.ok(mean < 0.01 && share < 0.01, `differs from the reference: mean ${mean}, share ${share}`);
 }
 
@@ -173,8 +218,10 @@ export async function drawn_share_there() {
 
 export const drawn_share = (page) => page.evaluate(drawn_share_there);
 
+const kept = process.env.CROSSGRAIN_SCREENSHOTS;
+export const keeps_screenshots = Boolean(kept);
+
 export async function keep_screenshot(page, name) {
-  const kept = process.env.CROSSGRAIN_SCREENSHOTS;
   if (!kept) return;
   mkdirSync(kept, { recursive: true });
   await page.screenshot({ path: join(kept, `${name}.png`) });

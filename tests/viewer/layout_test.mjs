@@ -3,19 +3,9 @@
 // leave free, and the lines of meshes are seen against their faces.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { keep_screenshot, kPhone, launch, open, scene_file, state } from "./browser.mjs";
-
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser?.close());
-
-const kSizes = {
-  "390x844": { ...kPhone, viewport: { width: 390, height: 844 } },
-  "1400x900": { viewport: { width: 1400, height: 900 }, deviceScaleFactor: 0.5 },
-  "2560x1440": { viewport: { width: 2560, height: 1440 }, deviceScaleFactor: 0.5 },
-};
+import { keep_screenshot, keeps_screenshots, kPhone, shared_page, state } from "./browser.mjs";
 
 /** Texts that something lies over, or that are cut off, as sentences; runs in the page. */
 function hidden_texts() {
@@ -84,13 +74,17 @@ async function with_schemes(page, act) {
   }
 }
 
+async function keep_schemes(page, name) {
+  if (keeps_screenshots) await with_schemes(page, (scheme) => keep_screenshot(page, `${name}-${scheme}`));
+}
+
 async function check_layout(page, name, size) {
   const reach = await page.evaluate(reach_of_part);
   assert.equal(reach.covered, false, `${name}, ${size}: what counts as free is covered`);
   assert.ok(reach.out <= 2, `${name}, ${size}: the part reaches ${reach.out} pixels out of what is free`);
   reach.middle.forEach((away, axis) => assert.ok(away < 0.06 * reach.free[axis] + 4, `${name}, ${size}: the part is ${away} pixels beside the middle`));
   assert.deepEqual(await page.evaluate(hidden_texts), [], `${name}, ${size}`);
-  await with_schemes(page, (scheme) => keep_screenshot(page, `layout-${name}-${size}-${scheme}`));
+  await keep_schemes(page, `layout-${name}-${size}`);
 }
 
 /** That the part stays in what is free in views of other sizes, and fills them as before where the view comes back. */
@@ -104,9 +98,9 @@ async function check_other_sizes(page) {
     await page.waitForFunction((wanted) => document.getElementById("view").width === Math.floor(document.getElementById("stage").clientWidth / 2) && document.getElementById("stage").clientHeight === wanted, height);
     await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
   };
-  await resize(1400, 900);
+  await resize(1440, 900);
   const first = await distance();
-  for (const [width, height] of [[1024, 700], [820, 1100], [1400, 900]]) {
+  for (const [width, height] of [[1024, 700], [820, 1100], [1440, 900]]) {
     await resize(width, height);
     const { out, covered } = await page.evaluate(reach_of_part);
     assert.ok(!covered && out <= 2, `${width} x ${height}: ${out} pixels out`);
@@ -116,25 +110,23 @@ async function check_other_sizes(page) {
 
 for (const name of ["hexahedra", "components", "tets"]) {
   test(`${name}: nothing covers texts or the part, on a phone and on two desktops`, async () => {
-    const desktop = await open(browser, scene_file(name), { device: kSizes["1400x900"] });
-    await check_layout(desktop.page, name, "1400x900");
+    const { page: desktop } = await shared_page(name);
+    await check_layout(desktop, name, "1440x900");
     // With what is looked at named in the view.
-    await desktop.page.locator('[data-testid="worst-place"]').first().click();
-    await desktop.page.evaluate(() => window.crossgrain.drawn());
-    assert.deepEqual(await desktop.page.evaluate(hidden_texts), [], `${name} with a place`);
-    await desktop.page.locator('[data-testid="tag-clear"]').click();
-    await desktop.page.locator('[data-testid="fit"]').click();
-    await desktop.page.setViewportSize({ width: 2560, height: 1440 });
-    await desktop.page.waitForFunction(() => document.getElementById("view").width === document.getElementById("view").clientWidth / 2);
-    await check_layout(desktop.page, name, "2560x1440");
-    if (name === "components") await check_other_sizes(desktop.page);
-    await desktop.context.close();
-    const phone = await open(browser, scene_file(name), { device: kSizes["390x844"] });
-    await check_layout(phone.page, name, "390x844");
-    await phone.page.locator('[data-testid="tab-field"]').tap();
-    assert.deepEqual(await phone.page.evaluate(hidden_texts), [], `${name} with the drawer open`);
-    await with_schemes(phone.page, (scheme) => keep_screenshot(phone.page, `layout-${name}-drawer-390x844-${scheme}`));
-    await phone.context.close();
+    await desktop.locator('[data-testid="worst-place"]').first().click();
+    await desktop.evaluate(() => window.crossgrain.drawn());
+    assert.deepEqual(await desktop.evaluate(hidden_texts), [], `${name} with a place`);
+    await desktop.locator('[data-testid="tag-clear"]').click();
+    await desktop.locator('[data-testid="fit"]').click();
+    await desktop.setViewportSize({ width: 2560, height: 1440 });
+    await desktop.waitForFunction(() => document.getElementById("view").width === document.getElementById("view").clientWidth / 2);
+    await check_layout(desktop, name, "2560x1440");
+    if (name === "components") await check_other_sizes(desktop);
+    const { page: phone } = await shared_page(name, { device: kPhone });
+    await check_layout(phone, name, "390x844");
+    await phone.locator('[data-testid="tab-field"]').tap();
+    assert.deepEqual(await phone.evaluate(hidden_texts), [], `${name} with the drawer open`);
+    await keep_schemes(phone, `layout-${name}-drawer-390x844`);
   });
 }
 
@@ -177,9 +169,8 @@ async function check_lines(page, size) {
 }
 
 test("edges of hexahedra are seen against their faces, light and dark, on a phone and a desktop", async () => {
-  for (const [size, device] of [["390x844", kSizes["390x844"]], ["900x600", { viewport: { width: 900, height: 600 } }]]) {
-    const { page, context } = await open(browser, scene_file("hexahedra"), { device });
+  for (const [size, device] of [["390x844", kPhone], ["900x600", { viewport: { width: 900, height: 600 } }]]) {
+    const { page } = await shared_page("hexahedra", { device });
     await check_lines(page, size);
-    await context.close();
   }
 });

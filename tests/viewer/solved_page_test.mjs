@@ -7,53 +7,55 @@ import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
-import { drawn_share, keep_screenshot, kPhone, launch, open } from "./browser.mjs";
+import { drawn_share, keep_screenshot, kPhone, open } from "./browser.mjs";
 
 const program = process.env.CROSSGRAIN_PROGRAM;
 const skip = program ? false : "CROSSGRAIN_PROGRAM names no program";
 const folder = mkdtempSync(join(tmpdir(), "crossgrain-solved-"));
 const model = fileURLToPath(new URL("../../models/bracket.stl", import.meta.url));
 
-let browser, opened, report;
-before(async () => {
-  if (skip) return;
-  execFileSync(program, ["solve", model, "-o", folder, "--quiet", "--resolution", "48"]);
-  report = JSON.parse(readFileSync(join(folder, "report.json"), "utf8"));
-  browser = await launch();
-  opened = await open(browser, pathToFileURL(join(folder, "report.html")).href);
-});
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true });
-});
+after(() => rmSync(folder, { recursive: true }));
+
+let solved = null;
+/** The report of the part and its page, solved and opened when it is first asked for. */
+function solved_page() {
+  return (solved ??= (async () => {
+    execFileSync(program, ["solve", model, "-o", folder, "--quiet", "--resolution", "48"]);
+    const report = JSON.parse(readFileSync(join(folder, "report.json"), "utf8"));
+    return { report, ...(await open(pathToFileURL(join(folder, "report.html")).href)) };
+  })());
+}
 
 test("a solved field opens from disk without complaint, asks the network for nothing, and shows the part", { skip }, async () => {
-  assert.deepEqual(opened.problems, []);
-  assert.ok((await drawn_share(opened.page)) > 0.06);
-  await keep_screenshot(opened.page, "solved-desktop-light");
+  const { page, problems } = await solved_page();
+  assert.deepEqual(problems, []);
+  assert.ok((await drawn_share(page)) > 0.06);
+  await keep_screenshot(page, "solved-desktop-light");
 });
 
 test("it says how many cells and singular lines the report has", { skip }, async () => {
-  const text = await opened.page.locator('[data-testid="panel-field"]').innerText();
+  const { page, report } = await solved_page();
+  const text = await page.locator('[data-testid="panel-field"]').innerText();
   assert.ok(text.includes(report.levels.at(-1).active_cells.toLocaleString("en-US")), text);
-  const lines = await opened.page.locator('[data-testid="number-arcs"]').innerText();
+  const lines = await page.locator('[data-testid="number-arcs"]').innerText();
   assert.ok(lines.includes(String(report.singularity.arcs)), lines);
 });
 
 test("under the content security policy of `crossgrain view` it draws itself, saves pictures, and can load nothing else", { skip }, async () => {
+  await solved_page();
   const server = spawn(program, ["view", folder, "--no-browser"], { stdio: ["ignore", "pipe", "inherit"] });
   try {
     const address = await new Promise((resolve) => server.stdout.once("data", (line) => resolve(String(line).trim())));
-    const { page, context, problems } = await open(browser, address);
+    const { page, problems } = await open(address);
     assert.ok((await drawn_share(page)) > 0.06);
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator('[data-testid="picture"]').click()]);
     assert.ok(download.suggestedFilename().endsWith(".png"));
     assert.deepEqual(problems, [`request: ${address}`]);
     assert.equal(await page.evaluate(() => fetch("report.json").then(() => "loaded", () => "refused")), "refused");
-    await context.close();
+    await page.close();
   } finally {
     server.kill();
   }
@@ -79,19 +81,20 @@ for (const [name, model_text, words] of [["box", box(1.5), "hexahedra fit locall
     // The page names what is to be set; the program, its option.
     const answer = execFileSync(program, ["check", out], { encoding: "utf8" }).split("\n")[0].replace("solve with --resolution", "use a resolution of");
     assert.ok(answer.startsWith(words), answer);
-    const { page, context, problems } = await open(browser, pathToFileURL(join(out, "report.html")).href, { device: kPhone });
+    const { page, problems } = await open(pathToFileURL(join(out, "report.html")).href, { device: kPhone });
     assert.match(await page.locator('[data-testid="badge"]').textContent(), new RegExp(`${words}$`));
     assert.ok(await page.locator('[data-testid="badge"]').isVisible());
     await page.locator('[data-testid="tab-field"]').tap();
     assert.equal(await page.locator('[data-testid="answer"]').textContent(), answer);
     await keep_screenshot(page, `answer-${name}-phone-light`);
     assert.deepEqual(problems, []);
-    await context.close();
+    await page.close();
   });
 }
 
 test("cells have unit coefficients, and forms with the eigenvalues of sums of projectors", { skip }, async () => {
-  const cells = await opened.page.evaluate((count) => {
+  const { page, report } = await solved_page();
+  const cells = await page.evaluate((count) => {
     const found = [];
     for (let cell = 0; cell < count && found.length < 50; cell += 97) {
       const described = window.crossgrain.describe(cell);

@@ -2,25 +2,19 @@
 // The page of a field on tets, and what all pages do with the view: it faces the cut, fills the window, and goes into links and pictures.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, launch, open, picture, scene_file, scene_named, SharedPages, state } from "./browser.mjs";
-
-let browser;
-const shared = new SharedPages();
-before(async () => (browser = await launch()));
-after(() => browser?.close());
+import { check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, open, picture, scene_named, shared_page, state } from "./browser.mjs";
 
 const by_test = (name) => `[data-testid="${name}"]`;
 
 test("tets opens without complaint and shows the part, and says each reason once", async () => {
-  const opened = await shared.page(browser, "tets");
-  await check_opening(opened, "tets-desktop-light");
-  await check_said_once(opened.page, scene_named("tets").report);
+  await check_opening("tets");
+  await check_said_once((await shared_page("tets")).page, scene_named("tets").report);
 });
 
 test("with a field on tets, the page shows that, and the grid from which it started where it is asked for", async () => {
-  const { page, problems } = await shared.page(browser, "tets");
+  const { page, problems } = await shared_page("tets");
   const { report } = scene_named("tets");
   const tets = report.onto.tets.toLocaleString("en-US");
   assert.equal(await page.locator(by_test("number-tets")).innerText().then((text) => text.split("\n")[0]), tets);
@@ -39,7 +33,7 @@ test("with a field on tets, the page shows that, and the grid from which it star
 });
 
 test("a click on a cut through tets picks the tet there", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   // The bar's origin is its middle, so this is a point of the cut.
   const point = [3.1, -4.2, 0];
   const [x, y] = await page.evaluate((at) => window.crossgrain.screenOf(at), point);
@@ -54,7 +48,7 @@ test("a click on a cut through tets picks the tet there", async () => {
 });
 
 test("several places of a reason are folded beneath it, and opened on demand", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   const kind = page.locator(`${by_test("verdict")} ${by_test("kind")}`);
   assert.equal(await kind.locator("summary").innerText(), "Three places");
   assert.equal(await kind.locator(by_test("place")).first().isVisible(), false);
@@ -65,7 +59,7 @@ test("several places of a reason are folded beneath it, and opened on demand", a
 });
 
 test("a click on a face of a field names the face and the set that hexahedra would have", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   await page.evaluate(() => window.crossgrain.change({ cut: { on: false }, opacity: 1 }));
   await page.evaluate(() => window.crossgrain.setView("right"));
   const clicked = await page.evaluate(() => window.crossgrain.screenOf([10, 3.3, 7]));
@@ -83,7 +77,7 @@ test("a click on a face of a field names the face and the set that hexahedra wou
 
 test("the part fills what is free of the view at first, and when another cut is chosen", async () => {
   for (const [name, device] of [["ball", kDesktop], ["plate", kPhone], ["tets", kPhone], ["components", kDesktop]]) {
-    const { page, context } = await open(browser, scene_file(name), { device });
+    const { page } = await shared_page(name, { device });
     const share = () => page.evaluate(async () => {
       await window.crossgrain.change({ layers: { glyphs: false, arcs: false, nodes: false } });
       const view = document.getElementById("view");
@@ -106,12 +100,11 @@ test("the part fills what is free of the view at first, and when another cut is 
     await page.evaluate(() => window.crossgrain.cutAcross("x"));
     const cut = await share();
     assert.ok(cut >= 0.8, `${name}: ${cut} of the view across x`);
-    await context.close();
   }
 });
 
 test("turning the cut on turns the view towards it", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   for (const axis of ["x", "y", "z"]) {
     await page.locator("label", { has: page.locator(by_test(`cut-axis-${axis}`)) }).click();
     const { camera, cut } = await state(page);
@@ -123,7 +116,7 @@ test("turning the cut on turns the view towards it", async () => {
 });
 
 test("any axis points up", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   for (const [axis, ahead] of [["x", [0, 0, -1]], ["y", [0, 0, 1]], ["z", [0, -1, 0]]]) {
     await page.locator(by_test(`up-${axis}`)).evaluate((input) => input.click());
     await page.evaluate(() => window.crossgrain.setView("front"));
@@ -136,7 +129,7 @@ test("any axis points up", async () => {
 });
 
 test("a link restores the view", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   await page.evaluate(() => window.crossgrain.change({ map: "energy", field: "grid", up: "y", cut: { axis: "x", position: 0.3, flip: true }, glyph: { shape: "cube" } }));
   await page.locator("#view").focus();
   for (const key of ["ArrowLeft", "ArrowUp", "+"]) await page.keyboard.press(key);
@@ -144,15 +137,15 @@ test("a link restores the view", async () => {
   await Promise.all([page.locator(by_test("note")).waitFor(), page.locator(by_test("link")).click()]);
   const link = await page.evaluate(() => window.crossgrain.link());
   const before_it = await picture(page);
-  const second = await open(browser, link);
+  const second = await open(link);
   assert.equal(await second.page.locator(by_test("field-grid")).isChecked(), true);
   const { mean } = await difference(page, before_it, await picture(second.page));
   assert.ok(mean < 1e-3, `${mean}`);
-  await second.context.close();
+  await second.page.close();
 });
 
 test("the picture that is saved is twice as fine as the view and has the legend in it", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   const facts = await page.evaluate(async () => {
     const image = new Image();
     image.src = await window.crossgrain.picture();
@@ -175,7 +168,7 @@ test("the picture that is saved is twice as fine as the view and has the legend 
 });
 
 test("the half that is taken away has faint lines only", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   // The line is seen end on from the side; above the cut it is as faint as what lies behind.
   await page.evaluate(() => window.crossgrain.change({ cut: { axis: "z", flip: false }, layers: { part: false, creases: false, glyphs: false, nodes: false } }));
   await page.evaluate(() => window.crossgrain.setView("front"));
@@ -213,7 +206,7 @@ const dark_at = (page, points) => page.evaluate(async (all) => {
 }, points);
 
 test("the cut shows the face between two regions as a dark line, straight across the cells", async () => {
-  const { page } = await shared.page(browser, "regions");
+  const { page } = await shared_page("regions");
   await page.evaluate(() => window.crossgrain.change({ cut: { axis: "z", position: 0.5, flip: false }, layers: { cells: false, glyphs: false, part: false } }));
   await page.evaluate(() => window.crossgrain.setView("top"));
   await keep_screenshot(page, "regions-desktop-light");
@@ -224,7 +217,7 @@ test("the cut shows the face between two regions as a dark line, straight across
 });
 
 test("frames are curves at first, and follow the slider: at rest they are those of the cut that is shown", async () => {
-  const { page } = await shared.page(browser, "tets");
+  const { page } = await shared_page("tets");
   assert.equal((await state(page)).glyph.shape, "curve");
   assert.equal(await page.locator(by_test("glyph-shape-curve")).isChecked(), true);
   await page.evaluate(() => window.crossgrain.change({ cut: { position: 0.3 } }));

@@ -6,11 +6,10 @@ import { test } from "node:test";
 
 import { face_of_triangle, faces_of_model, facing_of, point_of, set_of, triangles_of_face } from "../src/scene/faces.ts";
 import { decode_scene } from "../src/scene/scene.ts";
-import { ball_scene } from "./sample_scene.mjs";
-import { hexahedra_scene } from "./hex_scene.mjs";
+import { scene_named } from "./scenes.mjs";
 import { face_of_bar, tets_scene } from "./tet_scene.mjs";
 
-const { report, scene: bytes } = hexahedra_scene();
+const { report, scene: bytes } = scene_named("hexahedra");
 const scene = decode_scene(bytes);
 
 test("the set of a face is named as docs/formats.md says", () => {
@@ -22,7 +21,7 @@ test("a model whose report has no faces has those that the scene names, with the
   const faces = faces_of_model({}, scene);
   assert.deepEqual(faces.map(({ number }) => number), [1, 2, 3, 4, 5, 6]);
   assert.deepEqual(faces.map(({ quads }) => quads), [72, 72, 72, 72, 36, 36]);
-  assert.deepEqual(faces_of_model({}, decode_scene(ball_scene().scene)), []);
+  assert.deepEqual(faces_of_model({}, decode_scene(scene_named("ball").scene)), []);
 });
 
 test("a report says more of its faces, also of those that no quad lies on", () => {

@@ -6,10 +6,10 @@ import { test } from "node:test";
 
 import { edge_lengths, hexahedron_center, hexahedron_centered_at, hexahedron_of, hexahedron_radius, HexSkins, number_of, side_along } from "../src/scene/hexahedra.ts";
 import { decode_scene } from "../src/scene/scene.ts";
-import { box_of_hexahedra, hex_mesh, hexahedra_scene } from "./hex_scene.mjs";
-import { tets_scene } from "./tet_scene.mjs";
+import { box_of_hexahedra, hex_mesh } from "./hex_scene.mjs";
+import { scene_named } from "./scenes.mjs";
 
-const scene = decode_scene(hexahedra_scene().scene);
+const scene = decode_scene(scene_named("hexahedra").scene);
 const mesh = hex_mesh();
 const kFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
 
@@ -35,7 +35,7 @@ const faces_of = ({ side, corners }) =>
   Array.from(side, (number, face) => `${[...corners.subarray(4 * face, 4 * face + 4)].sort((a, b) => a - b).join()}: ${hexahedron_of(number)}`).sort();
 
 test("a page without hexahedra has none, and one with them has all", () => {
-  assert.equal(decode_scene(tets_scene().scene).hexahedra, null);
+  assert.equal(decode_scene(scene_named("tets").scene).hexahedra, null);
   assert.equal(scene.hexahedra.shape.length, mesh.hexahedra.length);
   assert.equal(scene.grid.hexahedra, null);
 });

@@ -16,11 +16,10 @@ import { link_from, link_of } from "../src/view_link.ts";
 import { fraction_of, ranges_of } from "../src/view/ranges.ts";
 import { fault_counts, mark_counts } from "../src/view/line_marks.ts";
 import { widest_cut } from "../src/view/widest_cut.ts";
-import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
+import { scene_named } from "./scenes.mjs";
 import { encode_scene, upper_half } from "./scene_writer.mjs";
-import { tets_scene } from "./tet_scene.mjs";
 
-const made = { ball: ball_scene(), plate: plate_scene(), components: components_scene(), tets: tets_scene() };
+const made = Object.fromEntries(["ball", "plate", "components", "tets"].map((name) => [name, scene_named(name)]));
 const scenes = Object.fromEntries(Object.entries(made).map(([name, { scene }]) => [name, decode_scene(scene)]));
 
 test("what was written is read back", () => {

@@ -11,14 +11,22 @@ import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
 import { filled_page } from "./scene_writer.mjs";
 import { tets_scene } from "./tet_scene.mjs";
 
-export const kScenes = { ball: ball_scene, plate: plate_scene, components: components_scene, regions: regions_scene, tets: tets_scene, hexahedra: hexahedra_scene, all_hex: () => hexahedra_scene(false) };
+const kScenes = { ball: ball_scene, plate: plate_scene, components: components_scene, regions: regions_scene, tets: tets_scene, hexahedra: hexahedra_scene, all_hex: () => hexahedra_scene(false) };
+
+const made = new Map();
+
+/** The report and the bytes of a scene, made when it is first asked for. */
+export function scene_named(name) {
+  if (!made.has(name)) made.set(name, kScenes[name]());
+  return made.get(name);
+}
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const folder = process.argv[2] ?? ".";
   mkdirSync(folder, { recursive: true });
   const page = readFileSync(new URL("../dist/report.html", import.meta.url), "utf8");
-  for (const [name, make] of Object.entries(kScenes)) {
-    const { report, scene } = make();
+  for (const name of Object.keys(kScenes)) {
+    const { report, scene } = scene_named(name);
     writeFileSync(`${folder}/${name}.html`, filled_page(page, report, scene));
     console.log(`${folder}/${name}.html: ${report.levels.at(-1).active_cells} cells`);
   }
