@@ -176,6 +176,35 @@ class View(CommandTest):
                 return time.monotonic() - start
         self.assert_once_within(2, act)
 
+    def seconds_of_a_slow_request(self, act):
+        """How long a connection lasts that sends a byte of a request's head from time to time; `act` is called once it has begun."""
+        with socket.create_connection(("127.0.0.1", self.port), timeout=20) as connection:
+            start = time.monotonic()
+            connection.sendall(b"GET /report.json HTTP/1.1\r\nX: ")
+            self.ask("/report.html")  # afterwards it has been accepted
+            act()
+            connection.settimeout(0.3)
+            while time.monotonic() < start + 60:
+                with contextlib.suppress(TimeoutError, ConnectionError):
+                    connection.sendall(b"x")
+                    if connection.recv(100):
+                        continue
+                    return time.monotonic() - start
+            return 60
+
+    def test_a_slow_request_does_not_delay_its_end(self):
+        def act():
+            address, process = self.start("--no-browser")
+            self.port = int(re.search(r":(\d+)/", address).group(1))
+            taken = self.seconds_of_a_slow_request(lambda: process.send_signal(signal.SIGINT))
+            self.assertEqual(process.wait(timeout=60), 0)
+            return taken
+        self.assert_once_within(2, act)
+
+    def test_a_slow_request_is_closed(self):
+        self.serve()
+        self.assertLess(self.seconds_of_a_slow_request(lambda: None), 20)
+
     def test_a_page_may_run_what_it_contains_and_load_nothing(self):
         self.serve()
         for path in ("/report.html", "/none"):

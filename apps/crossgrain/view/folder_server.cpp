@@ -20,6 +20,7 @@
 
 #include "crossgrain/error.hpp"
 #include "view/connection_threads.hpp"
+#include "view/open_connections.hpp"
 #include "view/page_name.hpp"
 
 namespace crossgrain::app {
@@ -35,8 +36,7 @@ constexpr std::size_t kMostConnections = 600;
 /// The HTTP library waits by select(), which knows no higher descriptors.
 constexpr rlim_t kMostDescriptors = FD_SETSIZE;
 
-/// A connection that sends nothing for so long is closed. On one machine requests arrive within milliseconds,
-/// and the server ends only with its connections.
+/// A connection that sends nothing for so long is closed. On one machine requests arrive within milliseconds.
 constexpr time_t kSecondsOfSilence = 1;
 
 /// The page is one file, with its script and style in it. It draws itself from what it contains: pictures as
@@ -123,7 +123,11 @@ class FolderServer::Files {
       response.set_redirect(std::string("/") + kPageName, kRedirect);
     });
     server.Get("/([^/]+)", [this](const httplib::Request& request, httplib::Response& response) {
+      connections.begin_answer(request.remote_port);
       serve_file(request.matches[1].str(), response);
+    });
+    server.set_logger([this](const httplib::Request& request, const httplib::Response&) {
+      connections.end_answer(request.remote_port);
     });
   }
 
@@ -131,6 +135,7 @@ class FolderServer::Files {
   void let_connections_wait() const { ::listen(listening_, SOMAXCONN); }
 
   httplib::Server server;
+  OpenConnections connections;
   std::atomic<bool> has_served = false;
   int port = 0;
 
@@ -182,6 +187,7 @@ int FolderServer::bind(int port) {
                 {fmt::format("port {} of {}", port, kAddress), "",
                  "is in use or needs privileges; choose another with --port, or omit it"});
   files_->let_connections_wait();
+  files_->connections.serve_on(port);
   return files_->port = port;
 }
 
@@ -190,11 +196,20 @@ void FolderServer::serve() {
   files_->has_served = true;
 }
 
+void FolderServer::close_slow_connections() {
+  files_->connections.close_slow();
+}
+
 void FolderServer::stop() {
+  constexpr std::chrono::milliseconds kInterval{1};
   // The HTTP library ignores a stop before it has started.
-  while (!files_->server.is_running() && !files_->has_served)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (!files_->server.is_running() && !files_->has_served) std::this_thread::sleep_for(kInterval);
   files_->server.stop();
+  // It waits for its connections, which clients can hold open, and may take one more.
+  while (!files_->has_served) {
+    files_->connections.close_all();
+    std::this_thread::sleep_for(kInterval);
+  }
 }
 
 }  // namespace crossgrain::app

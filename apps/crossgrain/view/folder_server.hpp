@@ -18,9 +18,14 @@ class FolderServer {
   /// Binds a port on 127.0.0.1, a free one for 0, and returns it. Throws Error(kOutput) if it is in use.
   int bind(int port);
 
-  /// Serves until another thread calls `stop`, which may happen before `serve` has started.
+  /// Serves until another thread calls `stop`, which may happen before `serve` has started. `stop` closes all
+  /// connections and returns when `serve` is about to.
   void serve();
   void stop();
+
+  /// Closes connections that take too long to send a request. Call it several times a second, from another
+  /// thread than `serve`.
+  void close_slow_connections();
 
  private:
   class Files;

@@ -19,7 +19,7 @@
 namespace crossgrain::app {
 namespace {
 
-/// Blocks SIGINT, SIGTERM and SIGHUP in this thread and its later threads; `wait` receives them.
+/// Blocks SIGINT, SIGTERM and SIGHUP in this thread and its later threads; `come` receives them.
 class EndingSignals {
  public:
   EndingSignals() {
@@ -28,11 +28,10 @@ class EndingSignals {
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
   }
 
-  /// Waits for a signal, or until `is_over`.
-  void wait(const std::atomic<bool>& is_over) const {
+  /// Waits a fifth of a second at most. Returns whether a signal has come.
+  bool come() const {
     const timespec interval{0, 200'000'000};
-    while (!is_over && sigtimedwait(&signals_, nullptr, &interval) < 0) {
-    }
+    return sigtimedwait(&signals_, nullptr, &interval) >= 0;
   }
 
  private:
@@ -52,7 +51,7 @@ void serve(const std::string& folder, int port, bool with_browser) {
     print_result(address + "\n");
     if (with_browser && !open_in_browser(address))
       print_message("open this address in a browser; Ctrl-C ends");
-    signals.wait(is_over);
+    while (!is_over && !signals.come()) server.close_slow_connections();
   } catch (...) {
     server.stop();
     serving.join();
