@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "distributed/level_shares.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -115,9 +117,11 @@ std::uint64_t LevelShares::fewest_leaves() const {
 
 std::optional<LevelStart> LevelShares::begin(const Solid& solid, const SolveTuning& options,
                                              LevelVisitor* visitor) {
+  const std::uint64_t identity = identity_of(solid, options);
+  check_same(identity);
   has_begun_ = !is_first();
   if (checkpoint_ != nullptr) {
-    if (auto start = checkpoint_->begin(identity_of(solid, options))) {
+    if (auto start = checkpoint_->begin(identity)) {
       has_begun_ = is_resuming_ = true;
       if (is_first() && visitor != nullptr) checkpoint_->revisit(*visitor);
       return start;
@@ -128,6 +132,17 @@ std::optional<LevelStart> LevelShares::begin(const Solid& solid, const SolveTuni
   if (told.size() > 1) return start_in(told);
   if (told.front() == kFailure) throw OtherProcessFailed();
   return std::nullopt;
+}
+
+/// Throws Error(kInput) unless all processes solve the same; OtherProcessFailed if the first has failed
+/// before.
+void LevelShares::check_same(std::uint64_t identity) {
+  const std::vector<Bytes> told = exchange_.gathered(std::as_bytes(std::span(&identity, 1)));
+  if (told.front().size() != sizeof identity) throw OtherProcessFailed();
+  for (std::size_t rank = 1; rank < told.size(); ++rank)
+    if (told[rank] != told.front())
+      throw Error(ErrorKind::kInput,
+                  fmt::format("process {} has another model or other options than process 0", rank));
 }
 
 void LevelShares::end_alone(bool has_failed) {

@@ -57,6 +57,7 @@ class LevelShares : public LevelSharing {
     std::uint64_t begin, end;
   };
 
+  void check_same(std::uint64_t identity);
   void update_ghosts(std::span<std::byte> values, std::size_t size) override;
   std::size_t ranks() const { return static_cast<std::size_t>(exchange_.ranks()); }
   LeafRecords moved_to_owners(const Level& level, const Range& own, std::span<const std::uint64_t> cuts);

@@ -326,6 +326,14 @@ class Faults(ProcessesTest):
         self.assert_ends(self.of_two(("solve", BRACKET, "-o", "out"), ("solve", "missing.stl", "-o", "out")), 3, "process 1", "missing.stl")
         self.assertEqual(self.names(), [])
 
+    def test_of_models_and_options_that_differ_are_told_once(self):
+        self.write("ball.stl", stl_of(sphere(16)))
+        options = ("-o", "out", "--resolution", 32)
+        for other in (("ball.stl", *options), (BRACKET, *options, "--degree", 3), (BRACKET, *options, "--seed", 7), (BRACKET, "-o", "out")):
+            result = self.of_two(("solve", BRACKET, *options), ("solve", *other))
+            self.assert_ends(result, 3, "process 1 has another model or other options than process 0")
+        self.assertEqual(self.names(), ["ball.stl"])
+
     def test_of_the_model_are_told_once(self):
         self.assert_ends(self.together(3, "solve", "missing.stl", "-o", "out"), 3, "missing.stl")
 
