@@ -29,6 +29,16 @@ using End = HelperOutcome::End;
 /// Interval in which a cancelled monitor is noticed.
 constexpr int kMillisecondsToWait = 50;
 
+/// Descriptor from which the guard of a helper reads to its end.
+constexpr int kLifelineDescriptor = 4;
+
+/// Starts a helper, "$0" with arguments "$@", in the process of the shell, and a guard beside it in the same
+/// session. The guard kills the session once no process holds the other end of its pipe any more: when this
+/// process has ended, however it did. The helper is asked for nothing, so this holds for scripts and for what
+/// they start.
+constexpr const char* kGuardedStart =
+    "(exec >/dev/null 2>&1 3>&-; read -r _ <&4; kill -s KILL -- -$$) & exec \"$0\" \"$@\" 4<&-";
+
 void require(int code) {
   if (code != 0) throw std::system_error(code, std::generic_category());
 }
@@ -36,10 +46,11 @@ void require(int code) {
 /// File actions of posix_spawn for the new process.
 class FileActions {
  public:
-  FileActions(int answer, bool prints_answer) {
+  /// `answer` and `lifeline` are above kLifelineDescriptor.
+  FileActions(int answer, int lifeline, bool prints_answer) {
     require(::posix_spawn_file_actions_init(&actions_));
-    // First, since the pipe may have the number of a standard stream that this process has closed.
     int code = ::posix_spawn_file_actions_adddup2(&actions_, answer, kAnswerDescriptor);
+    if (code == 0) code = ::posix_spawn_file_actions_adddup2(&actions_, lifeline, kLifelineDescriptor);
     for (const auto& [number, mode] :
          {std::pair{STDIN_FILENO, O_RDONLY}, {STDOUT_FILENO, O_WRONLY}, {STDERR_FILENO, O_WRONLY}}) {
       if (code != 0) break;
@@ -47,8 +58,7 @@ class FileActions {
                  ? ::posix_spawn_file_actions_adddup2(&actions_, kAnswerDescriptor, number)
                  : ::posix_spawn_file_actions_addopen(&actions_, number, "/dev/null", mode, 0);
     }
-    const int last = prints_answer ? STDERR_FILENO : kAnswerDescriptor;
-    if (code == 0) code = ::posix_spawn_file_actions_addclosefrom_np(&actions_, last + 1);
+    if (code == 0) code = ::posix_spawn_file_actions_addclosefrom_np(&actions_, kLifelineDescriptor + 1);
     if (code == 0) return;
     ::posix_spawn_file_actions_destroy(&actions_);
     require(code);
@@ -105,18 +115,40 @@ std::vector<std::string> environment_with(const std::vector<std::string>& settin
   return all;
 }
 
+/// The ends of a pipe, with numbers that helpers do not use.
+struct Pipe {
+  Pipe() {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) require(errno);
+    const Descriptor low_in(ends[0]), low_out(ends[1]);
+    in = above_standard(low_in.number());
+    out = above_standard(low_out.number());
+  }
+
+  Descriptor in, out;
+
+ private:
+  static Descriptor above_standard(int number) {
+    Descriptor copy(::fcntl(number, F_DUPFD_CLOEXEC, kLifelineDescriptor + 1));
+    if (!copy.is_open()) require(errno);
+    return copy;
+  }
+};
+
 /// A process that is killed when this object is destroyed.
 class Child {
  public:
   Child(const HelperRun& run, int answer) {
     const std::string program = run.program.string();
-    std::vector<std::string> words{program};
+    if (::access(program.c_str(), X_OK) != 0) require(errno);
+    std::vector<std::string> words{"sh", "-c", kGuardedStart, program};
     words.insert(words.end(), run.arguments.begin(), run.arguments.end());
     const std::vector<std::string> environment = environment_with(run.environment);
-    const FileActions actions(answer, run.is_foreign);
+    const FileActions actions(answer, lifeline_.in.number(), run.is_foreign);
     const Attributes attributes;
-    require(::posix_spawn(&process_, program.c_str(), actions.get(), attributes.get(),
-                          pointers_to(words).data(), pointers_to(environment).data()));
+    require(::posix_spawn(&process_, "/bin/sh", actions.get(), attributes.get(), pointers_to(words).data(),
+                          pointers_to(environment).data()));
+    lifeline_.in.close();
     if (run.is_foreign) limit(run);
   }
   ~Child() {
@@ -155,6 +187,7 @@ class Child {
     while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
   }
 
+  Pipe lifeline_;
   pid_t process_ = -1;
   bool is_waited_for_ = false;
 };
@@ -194,19 +227,16 @@ class Collector {
 }  // namespace
 
 HelperOutcome run_helper(const HelperRun& run, const Monitor& monitor) {
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) require(errno);
-  const Descriptor in(ends[0]);
-  Descriptor out(ends[1]);
+  Pipe answers;
   const Clock::time_point start = Clock::now();
   const auto is_late = [&] {
     monitor.check_stop();
     return std::chrono::duration<double>(Clock::now() - start).count() > run.seconds;
   };
-  Child child(run, out.number());
-  out.close();
+  Child child(run, answers.out.number());
+  answers.out.close();
 
-  Collector collector(in.number());
+  Collector collector(answers.in.number());
   while (collector.collect()) {
     if (is_late()) return {End::kTimedOut, 0, {}};
     if (collector.size() > run.max_answer_bytes) return {End::kTooLong, 0, {}};

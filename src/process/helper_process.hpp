@@ -24,8 +24,7 @@ struct HelperRun {
   std::size_t max_answer_bytes;          ///< it is killed if its answer is longer
 
   /// Whether it is a program of others, which does not know of this one: what it prints is its answer. Its
-  /// memory is limited to `max_memory_bytes`, and its processor time to `seconds` and a little more, so that
-  /// it ends even if this process is killed.
+  /// memory is limited to `max_memory_bytes`, and its processor time to `seconds` and a little more.
   bool is_foreign = false;
   std::size_t max_memory_bytes = 0;
 };
@@ -45,8 +44,8 @@ struct HelperOutcome {
 
 /// Runs a program and returns its answer. The program starts with no signal ignored or blocked, no file open
 /// but those four, and in a session of its own, so that this process alone handles what a terminal sends
-/// (Ctrl-C). If the monitor is cancelled, the helper and all its descendants are killed. The helper itself
-/// must make sure not to outlive a parent that is killed (PR_SET_PDEATHSIG).
+/// (Ctrl-C). If the monitor is cancelled, and if this process ends, killed or not, the helper and all that it
+/// has started in its session are killed. A shell starts it: `sh`.
 ///
 /// Throws std::system_error if it cannot be started, and Error(kInterrupted). Thread-safe: between fork and
 /// exec only the C library runs.

@@ -14,6 +14,7 @@ import signal
 import subprocess
 import time
 import unittest
+from pathlib import Path
 
 from field_reader import read_arrays
 from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, no_more_processes, stl_bytes
@@ -47,12 +48,12 @@ class WithAHangingReader(CommandTest):
         (self.folder / "bin").mkdir()
         (self.folder / "libexec" / "crossgrain").mkdir(parents=True)
         self.program = shutil.copy(PROGRAM, self.folder / "bin" / "crossgrain")
-        reader = self.write("libexec/crossgrain/crossgrain_cad", "#!/bin/sh\necho $$ > process\nsleep 1000\ntrue\n")
+        reader = self.write("libexec/crossgrain/crossgrain_cad", "#!/bin/sh\nsleep 1000 &\necho $$ $! > process\nwait\n")
         reader.chmod(0o755)
         self.write("part.step", STEP)
 
     def start(self, *arguments):
-        """The program, once it has started its reader, and the reader's number."""
+        """The program, once it has started its reader, and the numbers of the reader and of what that has started."""
         process = subprocess.Popen([self.program, "solve", "part.step", "-o", "out", *arguments], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.kill)
@@ -61,13 +62,21 @@ class WithAHangingReader(CommandTest):
         while not (note.exists() and note.read_text().endswith("\n")):
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.01)
-        return process, int(note.read_text())
+        return process, [int(number) for number in note.read_text().split()]
 
-    def assert_gone(self, process):
+    def assert_gone(self, processes):
         deadline = time.monotonic() + TIME_LIMIT
-        while os.path.exists(f"/proc/{process}"):
+        while any(self.is_running(process) for process in processes):
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.01)
+
+    @staticmethod
+    def is_running(process):
+        """Not so for one that has ended and whose parent has not asked for it, as first processes of containers do."""
+        try:
+            return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+        except (FileNotFoundError, ProcessLookupError):
+            return False
 
     def finished(self, process):
         process.stdout_text, process.stderr_text = process.communicate(timeout=TIME_LIMIT)
@@ -82,6 +91,12 @@ class WithAHangingReader(CommandTest):
     def test_a_system_without_processes_left_is_told(self):
         result = self.run_without_privileges("solve", "part.step", "-o", "out", program=self.program, preexec_fn=no_more_processes)
         self.assert_fails(result, LIMIT, "part.step", "starts no more processes", "ulimit -u")
+
+    def test_it_ends_with_a_program_that_is_killed(self):
+        process, reader = self.start()
+        process.kill()
+        process.communicate()
+        self.assert_gone(reader)
 
     def test_an_interrupt_stops_it(self):
         for number in (signal.SIGINT, signal.SIGTERM):
