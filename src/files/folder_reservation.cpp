@@ -68,6 +68,8 @@ FolderReservation::FolderReservation(const fs::path& folder)
                                         may_be_exchanged(parent_.number(), folder_.number(), path_));
     if (make_staging()) return;
   }
+  // In a folder like /proc names can be made by nobody.
+  if (staging_error_ == ENOENT) fail_output(shown_, "created", ENOENT);
   refuse_busy();
 }
 
@@ -155,6 +157,7 @@ bool FolderReservation::make_staging() {
   const FolderEntry place = staging_entry();
   const bool may_be_inside = is_beside_ && folder_.is_open();
   if (::mkdirat(place.parent, place.name.c_str(), folder_.is_open() ? kPrivateMode : kNewMode) != 0) {
+    staging_error_ = errno;
     if (errno == EEXIST || (errno == ENOENT && !folder_.is_open())) return false;
     const bool is_forbidden = errno == EACCES || errno == EPERM || errno == EROFS;
     if (may_be_inside && is_forbidden) return stage_inside();

@@ -75,6 +75,7 @@ class FolderReservation {
   Descriptor folder_;  ///< locked; not open while there is none
   bool is_beside_ = true;
   Descriptor staging_;  ///< locked; not open once it is published
+  int staging_error_ = 0;
 };
 
 /// Finishes what an interrupted replacement of files in a folder has left to do; waits a little for one in
