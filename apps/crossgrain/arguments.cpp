@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "crossgrain/reading.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "messages.hpp"
+#include "output.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -165,7 +167,9 @@ bool parse(CLI::App& app, int argc, char** argv) {
       const std::vector<CLI::App*> given = app.get_subcommands();
       refuse(error.what(), given.empty() ? &app : given.front());
     }
-    app.exit(error);
+    std::ostringstream text;
+    app.exit(error, text, text);
+    print_result(text.str());
     return true;
   }
 }
@@ -205,9 +209,9 @@ Arguments parse_arguments(int argc, char** argv) {
   if (*line.help_command) {
     // App::help would print that of the command that was parsed.
     const std::string name = line.app.get_name();
-    std::cout << (line.explained.empty()
-                      ? line.app.get_formatter()->make_help(&line.app, name, CLI::AppFormatMode::Normal)
-                      : command_of(line.app, line.explained)->help(name));
+    print_result(line.explained.empty()
+                     ? line.app.get_formatter()->make_help(&line.app, name, CLI::AppFormatMode::Normal)
+                     : command_of(line.app, line.explained)->help(name));
     return Finished{0};
   }
   if (*line.sample_command) return line.sample;

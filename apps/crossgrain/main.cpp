@@ -58,6 +58,11 @@ int run(int argc, char** argv) {
   try {
     arguments = parse_arguments(argc, argv);
     return std::visit(Run(), arguments);
+  } catch (const OutputClosed&) {
+    // The end that the shell knows, now that nothing is left half written.
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+    return 1;
   } catch (...) {
     const Failure failure =
         failure_of(std::current_exception(), std::visit(Subject(), arguments), command_of(arguments));
@@ -92,7 +97,9 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
 #endif
   std::set_terminate(crossgrain::app::end_uncaught);
-  // A file that exceeds a limit of the system should fail like any other write error, not end the process.
+  // A file that exceeds a limit of the system, and a pipe without a reader, should fail like any other write
+  // error, not end the process.
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   return crossgrain::app::run(argc, argv);
 }

@@ -30,6 +30,7 @@ std::string printable(std::string text, bool keeps_lines) {
 void print_result(const std::string& result) {
   const std::string text = printable(result, true);
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  if (errno == EPIPE) throw OutputClosed();
   throw Error(ErrorKind::kOutput, {"standard output", "",
                                    fmt::format("cannot be written: {}; free some space or redirect it",
                                                std::generic_category().message(errno))});

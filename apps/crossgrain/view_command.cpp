@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -45,6 +46,7 @@ void run_view(const ViewArguments& arguments) {
   check_folder(arguments.folder);
   const std::string program = find_view_program().string();
   const std::string port = std::to_string(arguments.port);
+  std::signal(SIGPIPE, SIG_DFL);
   if (!program.empty()) {
     ::execl(program.c_str(), "crossgrain_view", arguments.folder.c_str(), port.c_str(),
             arguments.no_browser ? "no-browser" : "browser", static_cast<char*>(nullptr));

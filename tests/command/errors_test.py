@@ -4,6 +4,7 @@
 
 import os
 import resource
+import signal
 import struct
 import subprocess
 import unittest
@@ -272,12 +273,26 @@ class UnwritableOutput(CommandTest):
 
     def test_a_full_standard_output_is_told(self):
         with open("/dev/full", "wb") as full:
-            for arguments in (["spectrum", "--preset", "cube"], ["solve", "box.stl", "--resolution", "8"]):
+            for arguments in (["spectrum", "--preset", "cube"], ["solve", "box.stl", "--resolution", "8"], ["--version"], ["--help"],
+                              ["help", "hex"], ["hex", "--help"]):
                 result = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE, cwd=self.folder,
                                         timeout=60, check=False)
                 self.assertEqual(result.returncode, OUTPUT)
                 self.assertEqual(result.stderr.count(b"\n"), 1)
                 self.assertIn(b"standard output", result.stderr)
+
+    def test_a_standard_output_that_nobody_reads_ends_it_like_any_program_and_leaves_nothing(self):
+        for command in ("solve", "hex"):
+            reading, writing = os.pipe()
+            os.close(reading)
+            with os.fdopen(writing, "wb") as closed:
+                result = subprocess.run([PROGRAM, command, "box.stl", "-o", "out"], stdout=closed, stderr=subprocess.PIPE, cwd=self.folder,
+                                        timeout=60, check=False)
+            self.assertEqual((result.returncode, result.stderr), (-signal.SIGPIPE, b""))
+            self.assertEqual(os.listdir(self.folder), ["box.stl"])
+
+    def test_a_place_in_which_nothing_can_be_made_is_told(self):
+        self.assert_fails(self.run_here("solve", "box.stl", "-o", "/proc/out"), OUTPUT, "/proc/out", "cannot be created: No such file")
 
 
 if __name__ == "__main__":
