@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "argument_values.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -40,23 +42,50 @@ std::optional<std::uint64_t> parse_seed(const std::string& text) {
   return seed;
 }
 
+std::string fault_of(const std::string& what, const std::string& text) {
+  double number = 0;
+  const bool is_number = parse_number(text, number) && text.find_first_not_of(" \t") == 0;
+  return "takes " + what + ", not " + (is_number ? text : "'" + text + "'");
+}
+
+std::string fault_of_number(const std::string& text, const NumberRange& range) {
+  double value = 0;
+  const bool is_number = parse_number(text, value);
+  const bool is_whole = is_number && value == std::floor(value);
+  if (is_number && value >= range.low && value <= range.high && (is_whole || !range.is_whole)) return "";
+  if (is_whole && range.is_open && value > range.high)
+    return fault_of(fmt::format("at most {:.12g}", range.high), text);
+  const char* const kind = range.is_whole && !is_whole ? "a whole number, " : "";
+  return fault_of(range.is_open ? fmt::format("{}{:.12g} or more", kind, range.low)
+                                : fmt::format("{}{:.12g} to {:.12g}", kind, range.low, range.high),
+                  text);
+}
+
+std::string fault_of_choice(const std::string& text, const std::vector<std::string>& choices) {
+  if (std::ranges::find(choices, text) != choices.end()) return "";
+  std::string words;
+  for (std::size_t k = 0; k < choices.size(); ++k)
+    words += (k == 0 ? "" : k + 1 < choices.size() ? ", " : " or ") + choices[k];
+  return fault_of(words, text);
+}
+
 std::string fault_of_length(const std::string& text) {
   double value = 0;
   const bool is_number = parse_number(text, value);
-  return is_number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is not a positive number";
+  return is_number && value > 0 && std::isfinite(value) ? "" : fault_of("a number above 0", text);
 }
 
 std::string fault_of_angle(const std::string& text) {
   double value = 0;
   const bool is_number = parse_number(text, value);
-  return is_number && value > 0 && value <= 180 ? "" : "'" + text + "' is not an angle above 0 and up to 180";
+  return is_number && value > 0 && value <= 180 ? "" : fault_of("an angle above 0, up to 180", text);
 }
 
 std::string fault_of_axes(const std::string& text) {
   bool is_fine = !text.empty();
   for (std::size_t i = 0; i < text.size(); ++i)
     is_fine = is_fine && std::string_view("xyz").find(text[i]) != text.npos && text.find(text[i]) == i;
-  return is_fine ? "" : "'" + text + "' is not a choice of axes such as xyz, xy or z";
+  return is_fine ? "" : fault_of("axes, such as xyz, xy or z", text);
 }
 
 std::optional<Box> parse_box(const std::string& text) {
@@ -75,10 +104,10 @@ std::optional<Box> parse_box(const std::string& text) {
 
 std::string fault_of_box(const std::string& text) {
   const std::optional<Box> box = parse_box(text);
-  if (!box) return "'" + text + "' is not six numbers separated by commas";
+  if (!box) return fault_of("six numbers separated by commas", text);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (box->low[axis] > box->high[axis])
-      return "'" + text + "' has its " + "xyz"[axis] + " bounds in the wrong order";
+      return fault_of(fmt::format("the lower bound of {} before the upper one", "xyz"[axis]), text);
   }
   return "";
 }
@@ -144,8 +173,7 @@ std::string fault_of_formats(const std::string& text, bool has_map) {
       return format.name == name && (has_map || !format.is_of_map);
     };
     if (std::none_of(formats.begin(), formats.end(), is_named))
-      return "'" + name + "' is not an output format; choose from " + names_of_formats(has_map) +
-             ", separated by commas";
+      return fault_of(names_of_formats(has_map) + ", or several separated by commas", name);
   }
   return "";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion of command-line texts to values. A fault_of_... function returns what is wrong with a text;
-// empty if it is valid.
+// Conversion of command-line texts to values. A fault_of_... function returns what is wrong with a text, to
+// be read after the name of its option: "takes 1 to 4000, not 5000"; empty if it is valid.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +16,21 @@ namespace crossgrain::app {
 
 /// Returns a whole number below 2^64; none for other texts, which CLI11 would clamp.
 std::optional<std::uint64_t> parse_seed(const std::string& text);
+
+/// Returns "takes WHAT, not TEXT".
+std::string fault_of(const std::string& what, const std::string& text);
+
+/// Numbers that an option takes, both ends among them.
+struct NumberRange {
+  double low;
+  double high;
+  bool is_whole;         ///< takes whole numbers only
+  bool is_open = false;  ///< `high` is the largest that can be held, of which no one need hear
+};
+std::string fault_of_number(const std::string& text, const NumberRange& range);
+
+/// Accepts one of some words.
+std::string fault_of_choice(const std::string& text, const std::vector<std::string>& choices);
 
 /// Accepts a positive, finite number. CLI11's own check accepts NaN.
 std::string fault_of_length(const std::string& text);

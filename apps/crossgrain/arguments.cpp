@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "command_line.hpp"
-#include "command_names.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/reading.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "usage_faults.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -27,9 +27,7 @@ const CLI::App& program_of(const CLI::App& command) {
   return command.get_parent() != nullptr ? *command.get_parent() : command;
 }
 
-[[noreturn]] void refuse(const std::string& message, const CLI::App* command) {
-  std::string line = message.substr(0, message.find_last_not_of('\n') + 1);
-  std::replace(line.begin(), line.end(), '\n', ' ');
+[[noreturn]] void refuse(const std::string& line, const CLI::App* command) {
   std::string name = "crossgrain";
   if (command != nullptr) name = program_of(*command).get_name();
   if (command != nullptr && command->get_parent() != nullptr) name += " " + command->get_name();
@@ -57,13 +55,17 @@ void check_model(AnyArguments& arguments, bool glue, const CLI::App* command, co
 /// folder of such a name may be there already.
 void refuse_file_name(const std::string& folder, const char* holds, const CLI::App* command) {
   static const std::set<std::string> endings = {
-      ".brep", ".brp",  ".bdf",  ".cgns",  ".csv", ".fra", ".html", ".iges", ".igs", ".inp",
-      ".json", ".med",  ".mesh", ".meshb", ".msh", ".nas", ".obj",  ".off",  ".ovm", ".ply",
-      ".png",  ".step", ".stl",  ".stp",   ".txt", ".unv", ".vtk",  ".vtp",  ".vtu", ".xdmf"};
-  const std::string ending = std::filesystem::path(folder).extension().string();
+      ".3mf",   ".bdf",  ".brep",  ".brp",  ".cgns", ".csv", ".dat",  ".fcstd", ".fra", ".frame",
+      ".gz",    ".html", ".hexex", ".iges", ".igs",  ".inp", ".jpg",  ".json",  ".med", ".mesh",
+      ".meshb", ".msh",  ".nas",   ".obj",  ".off",  ".ovm", ".perm", ".ply",   ".png", ".step",
+      ".stl",   ".stp",  ".txt",   ".unv",  ".vtk",  ".vtp", ".vtu",  ".xdmf",  ".zip"};
+  const std::filesystem::path path(folder);
+  std::string ending = path.extension().string();
+  const bool is_file_name = endings.contains(CLI::detail::to_lower(ending));
+  if (const std::filesystem::path packed = path.stem(); CLI::detail::to_lower(ending) == ".gz")
+    ending = packed.extension().string() + ending;
   std::error_code ignored;
-  if (!endings.contains(CLI::detail::to_lower(ending)) || std::filesystem::is_directory(folder, ignored))
-    return;
+  if (!is_file_name || std::filesystem::is_directory(folder, ignored)) return;
   refuse("'" + folder + "' is the name of a file, and a folder is written, which holds " + holds +
              "; name it with -o, without " + ending,
          command);
@@ -165,7 +167,8 @@ bool parse(CLI::App& app, int argc, char** argv) {
     // CLI11 reports help and version as errors too.
     if (error.get_exit_code() != 0) {
       const std::vector<CLI::App*> given = app.get_subcommands();
-      refuse(error.what(), given.empty() ? &app : given.front());
+      const CLI::App* const command = given.empty() ? &app : given.front();
+      refuse(fault_of_usage(error, *command), command);
     }
     std::ostringstream text;
     app.exit(error, text, text);

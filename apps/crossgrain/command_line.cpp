@@ -11,18 +11,14 @@
 namespace crossgrain::app {
 namespace {
 
-// Examples of commands are their footers, and the exit codes that of the program.
-
 constexpr const char* kExitCodes =
-    "0 done; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a stated limit is exceeded: memory, "
-    "or "
-    "the sweeps of a solve, which still writes its field; 6 no mesh of hexahedra fills the model, the best "
-    "part of one is written; 130 interrupted: the first Ctrl-C writes the last finished level of a solve, a "
-    "second one discards it.";
+    "0 done; 1 a fault of the program; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a limit of "
+    "memory, time or sweeps; 6 hex: the best mesh is not what was asked for; 130 interrupted. The help of a "
+    "command says more";
 
 constexpr const char* kExitCodesOfProcesses =
-    "0 done; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a stated limit is exceeded; 130 "
-    "interrupted. Other commands: crossgrain.";
+    "0 done; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a limit of memory or sweeps; 130 "
+    "interrupted. Other commands: crossgrain";
 
 constexpr const char* kVersionHelp = "Print the version and what this build can do, and exit";
 
@@ -44,8 +40,8 @@ CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgra
   view_command = add_view(app, view);
   help_command = app.add_subcommand("help", "Prints the help of a command");
   help_command->add_option("COMMAND", explained, "The command (default: the program itself)");
-  add_examples(*help_command, "crossgrain help\ncrossgrain help hex");
-  app.footer(kExitCodes);  // last, since commands inherit it
+  add_examples(*help_command, "crossgrain help\ncrossgrain help hex", "0 done; 2 no such command");
+  app.footer(kExitCodes);
 }
 
 CommandLineOfProcesses::CommandLineOfProcesses()
@@ -58,15 +54,16 @@ CommandLineOfProcesses::CommandLineOfProcesses()
   solve_command = add_solve(app, solve);
   add_value(*solve_command, "--checkpoint", solve.checkpoint, "DIR",
             "Keep in this folder what is needed to go on after a break, whenever a shared level begins");
-  add_value(*solve_command, "--checkpoint-minutes", solve.checkpoint_minutes, "N", CLI::NonNegativeNumber,
-            "And so often within a level (default 10)");
+  add_number(*solve_command, "--checkpoint-minutes", solve.checkpoint_minutes, "N", 0,
+             std::numeric_limits<double>::infinity(), "And so often within a level (default 10)");
   add_value(*solve_command, "--restart", solve.restart, "DIR",
             "Go on from the folder of --checkpoint, on any number of processes; give the same model "
             "and options");
   add_examples(*solve_command,
                "mpirun -n 4 crossgrain-mpi solve part.step --resolution 512\n"
-               "mpirun -n 4 crossgrain-mpi solve part.step --checkpoint kept   # to go on after a break");
-  app.footer(kExitCodesOfProcesses);  // last, since the command inherits it
+               "mpirun -n 4 crossgrain-mpi solve part.step --checkpoint kept   # to go on after a break",
+               kExitCodesOfProcesses);
+  app.footer(kExitCodesOfProcesses);
 }
 
 }  // namespace crossgrain::app

@@ -14,6 +14,8 @@
 namespace crossgrain::app {
 namespace {
 
+constexpr const char* kFolderHelp = "The folder that 'crossgrain solve' or 'crossgrain hex' wrote";
+
 template <class T>
 void add_choice(CLI::App& command, const char* names, T& choice, std::map<std::string, T> choices,
                 const char* help, const char* type) {
@@ -22,7 +24,7 @@ void add_choice(CLI::App& command, const char* names, T& choice, std::map<std::s
   command
       .add_option_function<std::string>(
           names, [&choice, choices](const std::string& name) { choice = choices.at(name); }, help)
-      ->check(CLI::IsMember(keys))
+      ->check([keys](const std::string& name) { return fault_of_choice(name, keys); })
       ->type_name(type);
 }
 
@@ -31,14 +33,16 @@ void add_degree(CLI::App& command, Degree& degree) {
       .add_option_function<int>(
           "--degree", [&degree](int value) { degree = static_cast<Degree>(value); },
           "Degree of the spherical harmonics that carry the frames: 3 or 4 (default)")
-      ->check(CLI::IsMember({3, 4}))
+      ->check([](const std::string& text) {
+        return fault_of_choice(text, {"3", "4"});
+      })
       ->type_name("3|4");
 }
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
   constexpr int kDeepest = 19;  // OutputOptions::level
-  add_value(command, "--output-level", options.level, "N", CLI::Range(0, kDeepest),
-            "Octree depth of the smallest cells in field.vtu (its array 'level'); deeper cells are merged");
+  add_number(command, "--output-level", options.level, "N", 0, kDeepest,
+             "Octree depth of the smallest cells in field.vtu (its array 'level'); deeper cells are merged");
   command
       .add_option_function<std::string>(
           "--clip", [&options](const std::string& text) { options.clip = parse_box(text); },
@@ -46,9 +50,10 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
       ->check(fault_of_box)
       ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
   add_formats(command, options, /*has_map=*/false);
-  add_value(command, "--hex-size", options.hex_size, "X", fault_of_length,
-            "Edge of the hexahedra that a map makes of onto.fra, in model units: its axes get the length 1/X "
-            "(default 1)");
+  add_value(
+      command, "--hex-size", options.hex_size, "X", fault_of_length,
+      "With --write fra, the edge of the hexahedra that CubeCover shall make of it, in model units: its "
+      "axes get the length 1/X (default 1)");
 }
 
 void add_tets_options(CLI::App& command, SolveArguments& arguments) {
@@ -64,13 +69,12 @@ void add_tets_options(CLI::App& command, SolveArguments& arguments) {
       "all|smooth-only");
   command.add_flag(
       "--repair", arguments.repair,
-      "Repair the matchings of the field on tets, so that hexahedra can follow it, and smooth its "
-      "frames for them; docs/repair.md");
+      "Change the field on tets where hexahedra cannot follow it, so that they can; docs/repair.md");
   add_keep_tags(command, arguments.tags);
   command.add_flag(
       "--prepare", arguments.prepare,
-      "Split tets first so that a map to hexahedra can take their surface to integer planes, and solve "
-      "on those; add --write mesh (docs/formats.md)");
+      "First split those tets that a map to hexahedra would flatten, and solve on the new ones, which "
+      "--write mesh writes (docs/formats.md)");
 }
 
 /// Where seeds of streamlines lie; none for an invalid text.
@@ -102,8 +106,8 @@ void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
     for (const CLI::Option* option : of_fields)
       if (option->count() > 0) throw CLI::ExcludesError(hexahedra->get_name(), option->get_name());
   });
-  add_value(command, "--below", arguments.options.quality_below, "X", CLI::Range(-1.0, 2.0),
-            "With --hexahedra, draw only those with a scaled Jacobian below this")
+  add_number(command, "--below", arguments.options.quality_below, "X", -1, 2,
+             "With --hexahedra, draw only those with a scaled Jacobian below this")
       ->needs(hexahedra);
 }
 
@@ -121,7 +125,7 @@ void add_looks(CLI::App& command, PictureOptions& options) {
       "none|alignment|energy|class|region|face");
   add_parsed(
       command, "--range", parse_range, [&options](const auto& range) { options.range = range; },
-      "is not two numbers separated by a comma, the lower one first",
+      "two numbers separated by a comma, the lower one first",
       "Ends of the colour scale (default: from the field)")
       ->type_name("LOW,HIGH");
   add_choice(command, "--frames", options.frames,
@@ -138,7 +142,7 @@ void add_looks(CLI::App& command, PictureOptions& options) {
              "Background (default light)", "light|dark|transparent");
   add_parsed(
       command, "--without", parse_parts, [&options](const auto& parts) { options.without = parts; },
-      "is not a list of lines, creases and legend",
+      "lines, creases and legend, separated by commas",
       "Leave out singular lines and nodes, sharp edges, or legend and axes")
       ->type_name("lines|creases|legend,...");
 }
@@ -162,7 +166,10 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   add_examples(*command,
                "crossgrain solve part.step                  # writes part.frames\n"
                "crossgrain solve part.stl --resolution 64   # coarser, and quicker\n"
-               "crossgrain solve part.mesh --repair         # on tets, for hexahedra");
+               "crossgrain solve part.mesh --repair         # on tets, for hexahedra",
+               "0 done; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a limit: of memory, or of "
+               "sweeps, where the field is written; 130 Ctrl-C: the last finished level is written, if there "
+               "is one");
   SolveOptions& options = arguments.options;
   add_argument(
       *command, "MODEL", arguments.model,
@@ -171,10 +178,9 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
       "as .gz");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.frames here)");
   add_degree(*command, options.degree);
-  CLI::Option* resolution = add_value(
-      *command, "--resolution", options.resolution, "N", CLI::Range(4, std::numeric_limits<int>::max()),
-      "Finest cells along the longest side of the bounding box (default 128; with tets, cells "
-      "twice as large as their edges)");
+  CLI::Option* resolution = add_number(*command, "--resolution", options.resolution, "N", 4, kLargestInt,
+                                       "Number of finest cells along the longest side of the model (default "
+                                       "128; with tets, cells are twice as large as their edges)");
   add_value(*command, "--cell-size", options.cell_size, "X", fault_of_length,
             "Size of the finest cells in model units instead")
       ->excludes(resolution);
@@ -191,10 +197,13 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
 
 CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
   CLI::App* command = app.add_subcommand("sample", "Prints the frames of a field at given points");
-  add_examples(*command,
-               "crossgrain sample part.frames -1 0.5 -2             # at a point\n"
-               "crossgrain sample part.frames points.txt -o f.txt   # at those of a file");
-  add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
+  add_examples(
+      *command,
+      "crossgrain sample part.frames -1 0.5 -2             # at a point\n"
+      "crossgrain sample part.frames points.txt -o f.txt   # at those of a file",
+      "0 done, also where points lie outside; 2 wrong usage; 3 bad input; 4 output cannot be written; "
+      "130 Ctrl-C");
+  add_argument(*command, "DIR", arguments.field, kFolderHelp);
   command
       ->add_option_function<std::vector<std::string>>(
           "POINTS", [&arguments](const std::vector<std::string>& words) { take_points(words, arguments); },
@@ -210,11 +219,13 @@ CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
 CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "streamlines", "Traces lines along the axes of a field, as polylines for other programs");
-  add_examples(*command,
-               "crossgrain streamlines part.frames --on z   # along the cut across z\n"
-               "crossgrain streamlines part.frames seeds.txt -o lines.vtu");
+  add_examples(
+      *command,
+      "crossgrain streamlines part.frames --on z   # along the cut across z\n"
+      "crossgrain streamlines part.frames seeds.txt -o lines.vtu",
+      "0 done; 2 wrong usage; 3 bad input; 4 output cannot be written; 130 Ctrl-C: nothing is written");
   StreamlineOptions& options = arguments.options;
-  add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
+  add_argument(*command, "DIR", arguments.field, kFolderHelp);
   CLI::Option* seeds = add_value(
       *command, "SEEDS", arguments.seeds, "",
       "Points to trace through, one 'x y z' a line; - for standard input (default: evenly spread ones)");
@@ -223,17 +234,17 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
   add_field_choice(*command, arguments.choice);
   add_parsed(
       *command, "--on", parse_places, [&arguments](const auto& places) { arguments.places = places; },
-      "is not a place of seeds: volume, surface, or a cut such as z or y=12.5",
+      "volume, surface, or a cut such as z or y=12.5",
       "Evenly spread seeds in the volume (default), on the surface or on a cut; from the latter two, lines "
       "follow the two axes along surface or cut")
       ->excludes(seeds)
       ->type_name("volume|surface|x|y|z[=AT]");
-  add_value(*command, "--count", arguments.count, "N", CLI::Range(1, std::numeric_limits<int>::max()),
-            "Number of seeds to try (default 1000)")
+  add_number(*command, "--count", arguments.count, "N", 1, kLargestInt,
+             "Number of seeds to try (default 1000)")
       ->excludes(seeds);
-  add_value(*command, "--spacing", arguments.spacing, "X", CLI::Range(0.0, 1.0),
-            "Least distance between lines along like axes, in longest sides of the field; 0 for any "
-            "(default 0.15 in the volume, 0.08 on the surface, 0.05 on a cut, 0 for given seeds)");
+  add_number(*command, "--spacing", arguments.spacing, "X", 0, 1,
+             "Least distance between lines along like axes, in longest sides of the field; 0 for any "
+             "(default 0.15 in the volume, 0.08 on the surface, 0.05 on a cut, 0 for given seeds)");
   command
       ->add_option_function<std::string>(
           "--axes",
@@ -253,10 +264,11 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
                                          "and frames on a cut; or of hexahedra");
   add_examples(*command,
                "crossgrain render part.frames --cut y                   # frames on a cut\n"
-               "crossgrain render part.hexahedra --hexahedra --below 0.5   # the worst ones");
+               "crossgrain render part.hexahedra --hexahedra --below 0.5   # the worst ones",
+               "0 done; 2 wrong usage; 3 bad input; 4 the picture cannot be written; 130 Ctrl-C: nothing is "
+               "written");
   PictureOptions& options = arguments.options;
-  add_argument(*command, "DIR", arguments.field,
-               "The folder that 'crossgrain solve' or 'crossgrain hex' wrote");
+  add_argument(*command, "DIR", arguments.field, kFolderHelp);
   add_value(*command, "-o,--output", arguments.output, "FILE",
             "PNG file to write (default: DIR-stem.png here)");
   add_field_choice(*command, arguments.choice);
@@ -264,11 +276,11 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
                     "Also draw the lines that 'crossgrain streamlines' has written to the folder");
   add_parsed(
       *command, "--size", parse_size, [&options](const auto& size) { options.size = size; },
-      "is not a size such as 1600x1200", "Width and height in pixels (default 1600x1200)")
+      "a size such as 1600x1200", "Width and height in pixels (default 1600x1200)")
       ->type_name("WxH");
   add_parsed(
       *command, "--view", parse_view, [&options](const PictureOptions::View& view) { options.view = view; },
-      "is not a view: iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
+      "iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
       "Viewpoint by name, or degrees about z from x and degrees above the xy plane (default: iso, or towards "
       "the cut)")
       ->type_name("iso|front|back|left|right|top|bottom|A,E");
@@ -276,7 +288,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
              "The axis of the model that points up (default z)", "x|y|z");
   add_parsed(
       *command, "--cut", parse_cut, [&options](const auto& cut) { options.cut = cut; },
-      "is not a cut such as x or y=12.5",
+      "a cut such as x or y=12.5",
       "Remove the part in front of a plane across this axis, at the middle or at the given place, and draw "
       "the frames on the plane")
       ->type_name("x|y|z[=AT]");
@@ -292,10 +304,14 @@ CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
       "spectrum", "Prints eigenvalues and null space of the constraint of a set of normals");
   add_examples(*command,
                "crossgrain spectrum --preset cylinder\n"
-               "crossgrain spectrum normals.txt --json");
-  CLI::Option* preset =
-      add_value(*command, "--preset", arguments.preset, "plane|cube|cylinder|sphere",
-                CLI::IsMember({"plane", "cube", "cylinder", "sphere"}), "Use the normals of this shape");
+               "crossgrain spectrum normals.txt --json",
+               "0 done; 2 wrong usage; 3 bad input");
+  CLI::Option* preset = add_value(
+      *command, "--preset", arguments.preset, "plane|cube|cylinder|sphere",
+      [](const std::string& name) {
+        return fault_of_choice(name, {"plane", "cube", "cylinder", "sphere"});
+      },
+      "Use the normals of this shape");
   add_value(*command, "NORMALS", arguments.normals, "",
             "One 'nx ny nz [weight]' a line, # for comments; - for standard input")
       ->excludes(preset);
@@ -309,8 +325,9 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
       app.add_subcommand("check", "Says whether a hexahedral mesh can have the singular lines of a field");
   add_examples(*command,
                "crossgrain check part.frames\n"
-               "crossgrain check part.frames --json   # with the place of each line");
-  add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
+               "crossgrain check part.frames --json   # with the place of each line",
+               "0 whatever the answer is; 2 wrong usage; 3 bad input");
+  add_argument(*command, "DIR", arguments.field, kFolderHelp);
   command->add_flag("--json", arguments.json, "Print JSON");
   return command;
 }
@@ -320,11 +337,12 @@ CLI::App* add_view(CLI::App& app, ViewArguments& arguments) {
       app.add_subcommand("view", "Shows the page of a field in a browser on this machine, until Ctrl-C");
   add_examples(*command,
                "crossgrain view part.frames\n"
-               "crossgrain view part.frames --port 8080 --no-browser   # for another machine");
+               "crossgrain view part.frames --port 8080 --no-browser   # for another machine",
+               "0 ended by Ctrl-C; 2 wrong usage; 3 bad input; 4 the port is taken");
   constexpr int kMostPort = 65535;
-  add_argument(*command, "DIR", arguments.folder, "The folder that 'crossgrain solve' wrote");
-  add_value(*command, "--port", arguments.port, "N", CLI::Range(1, kMostPort),
-            "Port on 127.0.0.1 (default: a free one)");
+  add_argument(*command, "DIR", arguments.folder, kFolderHelp);
+  add_number(*command, "--port", arguments.port, "N", 1, kMostPort,
+             "Port on 127.0.0.1 (default: a free one)");
   command->add_flag("--no-browser", arguments.no_browser,
                     "Only print the address, without starting a browser");
   return command;

@@ -81,7 +81,7 @@ std::string help_text(const ProgramDescription& program, std::size_t width) {
   for (const CommandDescription& command : program.commands) text += entry(command.name, command.help, width);
   text += section("Options", program.options, width) + "\n";
   add_wrapped(text, "Options and examples of a command: " + program.name + " COMMAND --help", 0, width);
-  add_wrapped(text, "Exit codes: " + program.exit_codes, kIndent, width);
+  add_wrapped(text, kExitCodesMark + program.exit_codes, kIndent, width);
   return text;
 }
 
@@ -97,6 +97,8 @@ std::string help_text(const CommandDescription& command, const std::string& call
     else
       add_wrapped(text, example, 2 * kIndent, width);
   }
+  text += "\n";
+  add_wrapped(text, kExitCodesMark + command.exit_codes, kIndent, width);
   return text;
 }
 

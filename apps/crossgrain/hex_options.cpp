@@ -8,10 +8,14 @@ namespace crossgrain::app {
 CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "hex", "Meshes a solid with hexahedra: solves a field on tets, and makes the mesh that follows it");
-  add_examples(*command,
-               "crossgrain hex part.step --size 2            # writes part.hexahedra\n"
-               "crossgrain hex part.stl --cells 30 --unit mm\n"
-               "crossgrain view part.hexahedra               # shows them");
+  add_examples(
+      *command,
+      "crossgrain hex part.step --size 2            # writes part.hexahedra\n"
+      "crossgrain hex part.stl --cells 30 --unit mm\n"
+      "crossgrain view part.hexahedra               # shows them",
+      "0 hexahedra fill the model; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a limit "
+      "of memory or time; 6 they do not fill it, or not as its solids ask for: the best mesh is "
+      "written; 130 Ctrl-C: so is the best so far, if there is one");
   HexMeshingOptions& options = arguments.hexahedra.emplace();
   add_argument(
       *command, "MODEL", arguments.model,
@@ -20,20 +24,22 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.hexahedra here)");
   CLI::Option* size = add_value(*command, "--size", options.hexahedra.size, "X", fault_of_length,
                                 "Edge of the hexahedra, in model units (default: see --cells)");
-  add_value(*command, "--cells", options.hexahedra.cells, "N", CLI::Range(1.0, 4000.0),
-            "Number of hexahedra along the longest side instead (default 20)")
+  add_number(*command, "--cells", options.hexahedra.cells, "N", 1, 4000,
+             "Number of hexahedra along the longest side instead (default 20)")
       ->excludes(size);
-  add_value(*command, "--tet-size", options.tets.size, "X", fault_of_length,
-            "Largest edge of the tets that are made of a surface or CAD file, of which the field and whether "
-            "there is a mesh depend (default: 1.4 times that of the hexahedra, at most 0.07 of the longest "
-            "side). Where it makes more than 50000 tets, 4 times as much is taken first; other sizes follow "
-            "until a mesh fills the model. The line 'expected' tells the size");
+  add_value(
+      *command, "--tet-size", options.tets.size, "X", fault_of_length,
+      "Largest edge of the tets that a surface or CAD file is cut into first; another may lead to a mesh "
+      "where this one does not (default: 1.4 times the size of the hexahedra, at most 0.07 of the longest "
+      "side; 4 times this if it makes more than 50000 tets). If no mesh fills the model, other sizes are "
+      "tried");
   add_run_options(*command, arguments);
   add_keep_tags(*command, arguments.tags);
   add_formats(*command, arguments.output_options, /*has_map=*/true);
-  command->add_flag("--inverted", arguments.output_options.inverted_hexahedra,
-                    "Write files for solvers (.inp, .msh, .mesh) even if a hexahedron is inverted, which "
-                    "solvers do not say");
+  command->add_flag(
+      "--inverted", arguments.output_options.inverted_hexahedra,
+      "Write files for solvers (.inp, .msh, .mesh) even if hexahedra are inverted (turned inside "
+      "out), with which solvers give wrong results");
   add_talk(*command, arguments);
   return command;
 }

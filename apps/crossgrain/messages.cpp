@@ -49,7 +49,7 @@ constexpr OptionWords kOptionWords[] = {
      bit(Command::kProcesses)},
     {Remedy::kKeepTags, "--keep-tags follows them all the same", kFolders},
     {Remedy::kTurnView, "choose another --view or --cut", kOther},
-    {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' has written", kAll},
+    {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' or 'crossgrain hex' has written", kAll},
     {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", kAll},
     {Remedy::kMakeHexahedra, "make them with 'crossgrain hex'", kAll},
     {Remedy::kNameOutput, "name one with -o", kAll},

@@ -4,16 +4,22 @@
 
 #include <CLI/CLI.hpp>
 #include <limits>
+#include <optional>
 #include <string>
+#include <type_traits>
 
 #include "argument_values.hpp"
 #include "arguments.hpp"
+#include "program_description.hpp"
 
 namespace crossgrain::app {
 
-/// Adds lines to type, with a remark behind "#" each: `describe_command` takes the footer for these.
-inline void add_examples(CLI::App& command, const char* lines) {
-  command.footer(lines);
+inline constexpr double kLargestInt = std::numeric_limits<int>::max();
+
+/// Adds lines to type, with a remark behind "#" each, and what exit codes say of the result:
+/// `describe_command` takes the footer for these, a line each.
+inline void add_examples(CLI::App& command, const std::string& lines, const std::string& exit_codes) {
+  command.footer(lines + "\n" + kExitCodesMark + exit_codes);
 }
 
 /// Adds an argument by its place that must be given.
@@ -35,28 +41,46 @@ CLI::Option* add_value(CLI::App& command, const char* names, T& target, const ch
   return add_value(command, names, target, value, help)->check(is_valid);
 }
 
+/// The type of the number that an option sets, itself or an optional one.
+template <class T>
+struct NumberOf {
+  using type = T;
+};
+template <class T>
+struct NumberOf<std::optional<T>> {
+  using type = T;
+};
+
+/// Adds an option whose value is a number in a range.
+template <class T>
+CLI::Option* add_number(CLI::App& command, const char* names, T& target, const char* value, double low,
+                        double high, const char* help) {
+  const NumberRange range{low, high, std::is_integral_v<typename NumberOf<T>::type>,
+                          high >= std::numeric_limits<int>::max()};
+  return add_value(
+      command, names, target, value,
+      [range](const std::string& text) { return fault_of_number(text, range); }, help);
+}
+
 /// Adds an option whose text is parsed by parse(text), which returns a pointer or optional, and passed to
-/// use(value).
+/// use(value). `what` says what it takes.
 template <class Parse, class Use>
-CLI::Option* add_parsed(CLI::App& command, const char* name, Parse parse, Use use, const char* fault,
+CLI::Option* add_parsed(CLI::App& command, const char* name, Parse parse, Use use, const char* what,
                         const char* help) {
   return command
       .add_option_function<std::string>(
           name, [parse, use](const std::string& text) { use(*parse(text)); }, help)
-      ->check([parse, fault](const std::string& text) {
-        return parse(text) ? std::string() : "'" + text + "' " + fault;
-      });
+      ->check([parse, what](const std::string& text) { return parse(text) ? "" : fault_of(what, text); });
 }
 
 inline void add_threads(CLI::App& command, int& threads) {
-  add_value(command, "--threads", threads, "N", CLI::Range(0, std::numeric_limits<int>::max()),
-            "Number of threads; 0 (default) uses all");
+  add_number(command, "--threads", threads, "N", 0, kLargestInt, "Number of threads; 0 (default) uses all");
 }
 
 inline void add_max_memory(CLI::App& command, std::size_t& bytes, const char* help) {
   add_parsed(
       command, "--max-memory", parse_bytes, [&bytes](std::size_t most) { bytes = most; },
-      "is not an amount of memory such as 12GB, 800MB or 1.5GiB", help)
+      "an amount of memory, such as 12GB, 800MB or 1.5GiB", help)
       ->type_name("SIZE");
 }
 
@@ -67,7 +91,7 @@ inline void add_glue(CLI::App& command, bool& glue) {
 inline void add_unit(CLI::App& command, LengthUnit& unit) {
   add_parsed(
       command, "--unit", parse_unit, [&unit](LengthUnit its_unit) { unit = its_unit; },
-      "is not one of um, mm, cm, m, inch, foot",
+      "um, mm, cm, m, inch or foot",
       "Unit of a MODEL whose file names none, and so of all lengths and written files: a label, no number "
       "changes (STEP and IGES files are converted to mm)")
       ->type_name("um|mm|cm|m|inch|foot");
@@ -92,9 +116,7 @@ inline void add_quiet(CLI::App& command, bool& quiet, ProgressForm& progress) {
       ->expected(0)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
       ->type_name("")
-      ->check([](const std::string& form) {
-        return form == "json" || form == "true" ? std::string() : "'" + form + "' is not json";
-      });
+      ->check([](const std::string& form) { return form == "true" ? "" : fault_of_choice(form, {"json"}); });
 }
 
 }  // namespace crossgrain::app

@@ -61,9 +61,13 @@ ProgramDescription describe(const CLI::App& app) {
 }
 
 CommandDescription describe_command(const CLI::App& command) {
-  CommandDescription description{command.get_name(), command.get_description(), {}, {}, {}};
-  if (const std::string footer = command.get_footer(); !footer.empty())
-    description.examples = parts_of(footer, '\n');
+  CommandDescription description{command.get_name(), command.get_description(), {}, {}, {}, {}};
+  for (const std::string& line : parts_of(command.get_footer(), '\n')) {
+    if (line.starts_with(kExitCodesMark))
+      description.exit_codes = line.substr(std::string_view(kExitCodesMark).size());
+    else
+      description.examples.push_back(line);
+  }
   for (const CLI::Option* option : command.get_options())
     (option->get_positional() ? description.arguments : description.options)
         .push_back(describe_option(*option));

@@ -28,6 +28,7 @@ struct CommandDescription {
   std::string name;
   std::string help;
   std::vector<std::string> examples;  ///< lines to type, with a remark behind "#"
+  std::string exit_codes;
   std::vector<OptionDescription> options;
   std::vector<OptionDescription> arguments;  ///< by their places
 };
@@ -39,6 +40,9 @@ struct ProgramDescription {
   std::vector<OptionDescription> options;
   std::vector<CommandDescription> commands;
 };
+
+/// How the last line of a command's footer begins.
+inline constexpr const char* kExitCodesMark = "Exit codes: ";
 
 ProgramDescription describe(const CLI::App& app);
 CommandDescription describe_command(const CLI::App& command);

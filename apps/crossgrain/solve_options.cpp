@@ -20,8 +20,8 @@ void add_run_options(CLI::App& command, SolveArguments& arguments) {
   SolveOptions& options = arguments.options;
   add_value(
       command, "--crease-angle", options.crease_angle_deg, "DEG", fault_of_angle,
-      "Edges between faces whose normals differ by more degrees are creases, which frames follow, unless "
-      "they end in a smooth surface before long (default 35; 180 for none)");
+      "An edge is a crease, which frames follow, if the normals of its two faces differ by more degrees "
+      "(default 35; 180 for no creases); short ones that end in a smooth surface are none");
   add_threads(command, options.threads);
   add_max_memory(
       command, options.max_memory_bytes,
@@ -29,7 +29,7 @@ void add_run_options(CLI::App& command, SolveArguments& arguments) {
       "within it (default: nine tenths of the machine or container)");
   add_parsed(
       command, "--seed", parse_seed, [&options](std::uint64_t seed) { options.seed = seed; },
-      "is not a whole number from 0 to 18446744073709551615", "Seed of the random initial frames (default 0)")
+      "a whole number, 0 to 18446744073709551615", "Seed of the random initial frames (default 0)")
       ->type_name("N");
   command.add_flag("--union", options.unite_solids,
                    "Treat several solids as one: ignore the faces between them");

@@ -12,12 +12,12 @@ namespace {
 void add_sizes(CLI::App& command, TetMakingOptions& options) {
   CLI::Option* size = add_value(command, "--size", options.size, "X", fault_of_length,
                                 "Largest edge of the tets, in model units (default: see --edges)");
-  add_value(command, "--edges", options.edges, "N", CLI::Range(1.0, 1e6),
-            "Number of edges along the longest side instead (default 20)")
+  add_number(command, "--edges", options.edges, "N", 1, 1e6,
+             "Number of edges along the longest side instead (default 20)")
       ->excludes(size);
-  add_value(command, "--per-circle", options.edges_per_circle, "N", CLI::Range(3.0, 1e6),
-            "Edges around a full circle of any curvature (default 18: triangles within 10 degrees of "
-            "the surface)");
+  add_number(command, "--per-circle", options.edges_per_circle, "N", 3, 1e6,
+             "Edges around a full circle of any curvature (default 18: triangles within 10 degrees of "
+             "the surface)");
 }
 
 void add_limits(CLI::App& command, TetMakingOptions& options) {
@@ -52,9 +52,12 @@ void add_making_of_tets(CLI::App& command, SolveArguments& arguments, CLI::Optio
 CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "tets", "Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen");
-  add_examples(*command,
-               "crossgrain tets part.step --size 2 -o part.msh\n"
-               "crossgrain tets part.stl --edges 30             # writes part.mesh");
+  add_examples(
+      *command,
+      "crossgrain tets part.step --size 2 -o part.msh\n"
+      "crossgrain tets part.stl --edges 30             # writes part.mesh",
+      "0 done; 2 wrong usage; 3 bad input; 4 the file cannot be written; 5 a limit of memory, time or "
+      "number of tets; 130 Ctrl-C: nothing is written");
   TetMakingOptions& options = arguments.options;
   add_argument(*command, "MODEL", arguments.model,
                "A STEP, IGES, BREP or FCStd file, or a closed surface in an STL, OBJ, PLY, OFF or 3MF file; "
@@ -69,10 +72,12 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
             options.maker = name == "gmsh" ? TetMaker::kGmsh : TetMaker::kNetgen;
           },
           "The program that makes the tets (default: the first of these that is installed and succeeds)")
-      ->check(CLI::IsMember({"gmsh", "netgen"}))
+      ->check([](const std::string& name) {
+        return fault_of_choice(name, {"gmsh", "netgen"});
+      })
       ->type_name("gmsh|netgen");
   add_value(*command, "--crease-angle", options.crease_angle_deg, "DEG", fault_of_angle,
-            "Edges between faces whose normals differ by more degrees are creases, which stay edges "
+            "An edge is a crease, which stays, if the normals of its two faces differ by more degrees "
             "(default 35)");
   add_glue(*command, options.glue);
   add_unit(*command, options.unit);

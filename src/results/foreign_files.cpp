@@ -14,6 +14,7 @@
 #include "crossgrain/error.hpp"
 #include "files/file_mark.hpp"
 #include "files/folder_reservation.hpp"
+#include "mesh_files/surface/surface_reader.hpp"
 #include "results/report_file.hpp"
 #include "results/result_files.hpp"
 
@@ -130,7 +131,13 @@ void check_is_folder(const fs::path& folder) {
   std::error_code failure;
   const fs::file_status status = fs::status(folder, failure);
   if (fs::is_directory(status)) return;
-  const char* const text = fs::exists(status) ? "is not a folder" : "no such folder";
+  const char* text = "is not a folder";
+  if (!fs::exists(status))
+    text = "no such folder";
+  else if (fs::exists(folder.parent_path() / kCellsFile, failure))
+    text = "is one file of a result, not its folder";
+  else if (is_model_file(folder))
+    text = "is a model, not a folder with a result";
   throw Error(ErrorKind::kInput, {folder.string(), "", text, Remedy::kGiveFieldFolder});
 }
 

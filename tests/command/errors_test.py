@@ -40,7 +40,28 @@ class WrongUsage(CommandTest):
         self.refuse(["frobnicate"], "unknown command 'frobnicate';")
         self.refuse(["solve"], "MODEL")
         self.refuse(["sample", "a.frames"], "POINTS")
-        self.refuse(["solve", "a.stl", "b.stl"], "b.stl")
+        self.refuse(["solve", "a.stl", "b.stl"], "solve takes one MODEL; 'b.stl' is one too many")
+        self.refuse(["streamlines", "a.frames", "1", "2"], "streamlines takes DIR and SEEDS; '2' is one too many")
+
+    def test_unknown_options_are_answered_by_the_nearest_that_there_is(self):
+        for arguments, words in ((["hex", "a.stl", "--sise", "2"], "there is no option --sise; did you mean --size?"),
+                                 (["hex", "--sise", "2", "a.stl"], "there is no option --sise; did you mean --size?"),
+                                 (["hex", "a.stl", "--tetsize=2"], "there is no option --tetsize; did you mean --tet-size?"),
+                                 (["hex", "a.stl", "--out", "b"], "there is no option --out; did you mean --output?"),
+                                 (["hex", "a.stl", "size", "2"], "hex takes one MODEL; 'size' is one too many; did you mean --size?"),
+                                 (["hex", "a.stl", "--resolution", "20"], "no option --resolution here; 'crossgrain solve' has it"),
+                                 (["check", "a.frames", "-x"], "there is no option -x;"),
+                                 (["--quiet", "solve", "a.stl"], "'--quiet' is before the command; give solve first")):
+            with self.subTest(arguments=arguments):
+                self.refuse(arguments, words)
+
+    def test_missing_words_are_answered_by_an_example(self):
+        self.refuse(["hex"], "MODEL is missing, as in 'crossgrain hex part.step --size 2'")
+        self.refuse(["sample", "a.frames"], "POINTS is missing, as in")
+        self.refuse(["hex", "a.stl", "--size"], "--size needs a value: X")
+        self.refuse(["solve", "a.stl", "--degree"], "--degree needs a value: 3|4")
+        self.refuse(["hex", "a.stl", "--size", "1", "--size", "2"], "--size is given more than once")
+        self.refuse(["hex", "a.stl", "--quiet=no-word"], "--quiet takes no value")
 
     def test_help_of_a_command_is_the_same_either_way(self):
         for command, its_name in ((["check"], "Usage: crossgrain check "), ([], "Usage: crossgrain [OPTIONS]")):
@@ -55,8 +76,8 @@ class WrongUsage(CommandTest):
         self.assert_fails(self.run_here("part.stl"), USAGE, "did you mean 'crossgrain solve part.stl'?")
 
     def test_a_file_where_a_folder_is_written_is_refused(self):
-        for name in ("x.msh", "x.inp", "x.VTU", "sub/x.mesh"):
-            self.refuse(["hex", "a.stl", "-o", name], name, "hexahedra.inp", "without " + "." + name.split(".")[1])
+        for name in ("x.msh", "x.inp", "x.VTU", "sub/x.mesh", "x.stl", "x.msh.gz", "x.STL.GZ", "x.step.gz", "x.gz"):
+            self.refuse(["hex", "a.stl", "-o", name], name, "hexahedra.inp", "without ." + name.split(".", 1)[1])
             self.refuse(["solve", "a.stl", "-o", name], name, "field.vtu", "--write")
 
     def test_a_folder_where_a_file_is_written_is_refused(self):
@@ -86,8 +107,26 @@ class WrongUsage(CommandTest):
             with self.subTest(option=option, value=value):
                 self.refuse(["solve", "a.stl", option, value], option)
 
+    def test_ranges_are_told_in_words(self):
+        for arguments, words in ((["hex", "a.stl", "--cells", "100000"], "--cells takes 1 to 4000, not 100000;"),
+                                 (["hex", "a.stl", "--cells", "x"], "--cells takes 1 to 4000, not 'x';"),
+                                 (["hex", "a.stl", "--size", "-1"], "--size takes a number above 0, not -1;"),
+                                 (["solve", "a.stl", "--resolution", "3"], "--resolution takes 4 or more, not 3;"),
+                                 (["solve", "a.stl", "--resolution", "3e9"], "--resolution takes at most 2147483647, not 3e9;"),
+                                 (["solve", "a.stl", "--threads", "2.5"], "--threads takes a whole number, 0 or more, not 2.5;"),
+                                 (["solve", "a.stl", "--degree", "5"], "--degree takes 3 or 4, not 5;"),
+                                 (["solve", "a.stl", "--output-level", "20"], "--output-level takes 0 to 19, not 20;"),
+                                 (["solve", "a.stl", "--unit", "yard"], "--unit takes um, mm, cm, m, inch or foot, not 'yard';"),
+                                 (["tets", "a.stl", "--per-circle", "2"], "--per-circle takes 3 to 1000000, not 2;"),
+                                 (["tets", "a.stl", "--by", "hand"], "--by takes gmsh or netgen, not 'hand';"),
+                                 (["streamlines", "a.frames", "--spacing", "2"], "--spacing takes 0 to 1, not 2;"),
+                                 (["render", "a.frames", "--hexahedra", "--below", "3"], "--below takes -1 to 2, not 3;"),
+                                 (["view", "a.frames", "--port", "0"], "--port takes 1 to 65535, not 0;")):
+            with self.subTest(arguments=arguments):
+                self.refuse(arguments, words)
+
     def test_resolution_and_cell_size_exclude_each_other(self):
-        self.refuse(["solve", "a.stl", "--resolution", "8", "--cell-size", "1"], "--resolution")
+        self.refuse(["solve", "a.stl", "--resolution", "8", "--cell-size", "1"], "--resolution and --cell-size exclude each other")
 
     def test_spectrum_wants_one_of_preset_and_normals(self):
         self.refuse(["spectrum"], "--preset")
@@ -207,7 +246,12 @@ class BadModels(CommandTest):
         self.write("seeds.txt", "0 0 0\n")
         ways = [["check"], ["sample", "{}", "0", "0", "0"], ["streamlines"], ["streamlines", "{}", "seeds.txt"], ["render"], ["view"],
                 ["solve", "box.stl", "--from", "{}", "-o", "out"]]
-        for name, fault in (("nope.frames", "no such folder"), ("file.frames", "is not a folder"), ("empty.frames", "holds no field")):
+        self.write("part.step.gz", "text")
+        (self.folder / "part.frames").mkdir()
+        self.write("part.frames/field.vtu", "text")
+        for name, fault in (("nope.frames", "no such folder"), ("file.frames", "is not a folder"), ("empty.frames", "holds no field"),
+                            ("box.stl", "is a model, not a folder with a result; give a folder that 'crossgrain solve' or 'crossgrain hex' has"),
+                            ("part.step.gz", "is a model"), ("part.frames/field.vtu", "is one file of a result, not its folder")):
             for way in ways:
                 arguments = [word.format(name) for word in way] if len(way) > 1 else [*way, name]
                 words = "has no report.html" if way == ["view"] and name == "empty.frames" else fault

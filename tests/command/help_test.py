@@ -40,7 +40,7 @@ def help_on_terminal(command, columns):
 def examples_of(command):
     """Lines to type, without remarks."""
     text = run(command, "--help").stdout
-    return [line.split("#")[0].strip() for line in text.split("Examples:\n")[1].splitlines() if line.startswith("  ")]
+    return [line.split("#")[0].strip() for line in text.split("Examples:\n")[1].split("\n\n")[0].splitlines() if line.startswith("  ")]
 
 
 class Help(CommandTest):
@@ -69,6 +69,12 @@ class Help(CommandTest):
                     continue
                 result = self.run_here(*shlex.split(example)[1:])
                 self.assertNotEqual(result.returncode, USAGE, result.stderr)  # but there is no such file
+
+    def test_tells_what_exit_codes_say_of_the_result(self):
+        for command in COMMANDS:
+            codes = " ".join(run(command, "--help").stdout.split("Exit codes: ")[1].split())
+            self.assertRegex(codes, r"^0 .*; 2 wrong usage; 3 bad input")
+            self.assertEqual("6 " in codes, command == "hex")
 
     def test_calls_values_by_plain_words(self):
         for command in COMMANDS:

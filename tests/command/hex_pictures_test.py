@@ -125,9 +125,9 @@ class HexPictures(CommandTest):
 
     def test_options_of_fields_are_refused(self):
         for option in (("--field", "tets"), ("--range", "0,1"), ("--frames", "boxes"), ("--streamlines",)):
-            self.assertIn("--hexahedra excludes ", self.refused("box.hexahedra", "--hexahedra", *option, code=USAGE))
+            self.assertIn(" exclude each other", self.refused("box.hexahedra", "--hexahedra", *option, code=USAGE))
         self.assertIn("by face", self.refused("box.hexahedra", "--hexahedra", "--colour", "energy", code=USAGE))
-        self.assertIn("--below requires --hexahedra", self.refused("box.hexahedra", "--below", "0.5", code=USAGE))
+        self.assertIn("--below needs --hexahedra", self.refused("box.hexahedra", "--below", "0.5", code=USAGE))
         self.assertIn("leaves no hexahedron", self.refused("box.hexahedra", "--hexahedra", "--view", "right", "--cut", f"x={self.vertices[:, 0].min() + 1e-3}", code=USAGE))
 
     def test_the_page_has_all_of_them_with_their_shapes(self):

@@ -57,7 +57,7 @@ class ModelLine(CommandTest):
         self.assertEqual(self.first_lines("solve", "box.stl", "--resolution", "8", "--quiet"), [])
 
     def test_names_units_that_there_are(self):
-        self.assert_fails(self.run_here("solve", "box.stl", "--unit", "yard"), USAGE, "--unit", "um, mm, cm, m, inch, foot")
+        self.assert_fails(self.run_here("solve", "box.stl", "--unit", "yard"), USAGE, "--unit", "um, mm, cm, m, inch or foot")
 
 
 class WrongSizes(CommandTest):

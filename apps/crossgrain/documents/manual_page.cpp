@@ -45,8 +45,8 @@ std::string section_of(const char* title, const std::vector<OptionDescription>& 
   return text;
 }
 
-std::string exit_status(const ProgramDescription& program) {
-  return fmt::format(".SH EXIT STATUS\n{}\n", roff(program.exit_codes));
+std::string exit_status(const std::string& exit_codes) {
+  return fmt::format(".SH EXIT STATUS\n{}.\n", roff(exit_codes));
 }
 
 /// Lines that are typed as they stand.
@@ -66,8 +66,7 @@ std::string reference(const std::string& page) {
 
 /// The page called `name` about a command that is given as `call`.
 std::string page_of_command(const std::string& name, const std::string& call, const std::string& help,
-                            const ProgramDescription& program, const CommandDescription& command,
-                            const std::string& see_also) {
+                            const CommandDescription& command, const std::string& see_also) {
   std::string synopsis = fmt::format(".SH SYNOPSIS\n\\fB{}\\fR [\\fIOPTIONS\\fR]", roff(call));
   for (const OptionDescription& argument : command.arguments) {
     const std::string value =
@@ -76,7 +75,7 @@ std::string page_of_command(const std::string& name, const std::string& call, co
   }
   return head(name, help) + synopsis + "\n.SH DESCRIPTION\n" + roff(help) + ".\n" +
          section_of("ARGUMENTS", command.arguments) + section_of("OPTIONS", command.options) +
-         examples_of(command) + exit_status(program) + ".SH SEE ALSO\n" + see_also + "\n";
+         examples_of(command) + exit_status(command.exit_codes) + ".SH SEE ALSO\n" + see_also + "\n";
 }
 
 }  // namespace
@@ -92,19 +91,19 @@ std::string manual_page(const ProgramDescription& program) {
     text += fmt::format(".TP\n\\fB{}\\fR\n{}.\n", roff(command.name), roff(command.help));
     if (command.name != "help") pages.push_back(reference(page_name(program, command)));
   }
-  text += section_of("OPTIONS", program.options) + exit_status(program);
+  text += section_of("OPTIONS", program.options) + exit_status(program.exit_codes);
   return text + ".SH SEE ALSO\n" + join(pages, ",\n") + "\n";
 }
 
 std::string manual_page(const ProgramDescription& program, const CommandDescription& command) {
   return page_of_command(page_name(program, command), program.name + " " + command.name, command.help,
-                         program, command, reference(program.name));
+                         command, reference(program.name));
 }
 
 std::string manual_page_under_mpirun(const ProgramDescription& program) {
   const CommandDescription& command = program.commands.front();
   return page_of_command(program.name, "mpirun -n N " + program.name + " " + command.name, program.help,
-                         program, command, reference("crossgrain") + ",\n" + reference("mpirun"));
+                         command, reference("crossgrain") + ",\n" + reference("mpirun"));
 }
 
 }  // namespace crossgrain::app

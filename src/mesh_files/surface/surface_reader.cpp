@@ -131,6 +131,10 @@ std::string stem_of_model(const std::filesystem::path& path) {
   return unpacked_name(path).stem().string();
 }
 
+bool is_model_file(const std::filesystem::path& path) {
+  return format_of(extension_of(path)) != nullptr || is_tet_file(path);
+}
+
 bool is_cad_file(const std::filesystem::path& path) {
   return cad_format_of(path).has_value();
 }

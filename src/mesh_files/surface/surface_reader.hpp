@@ -34,6 +34,9 @@ TriangleMesh read_off(const InputFile& file);
 /// what is built, such as supports, are left out.
 TriangleMesh read_3mf(const InputFile& file);
 
+/// Whether the name of a file is that of a surface, a CAD file or a tet mesh.
+bool is_model_file(const std::filesystem::path& path);
+
 /// Returns a surface with the unit that its file does not name; unchanged for kUnknown. Throws Error(kUsage)
 /// if the file names a unit, and so the surface has another.
 TriangleMesh with_unit(TriangleMesh mesh, LengthUnit unit, const std::string& file);

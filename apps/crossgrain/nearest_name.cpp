@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command_names.hpp"
+#include "nearest_name.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <numeric>
-#include <system_error>
 
 namespace crossgrain::app {
 namespace {
 
-/// Largest number of changed letters for which a command is suggested.
+/// Largest number of changed letters for which a name is suggested.
 constexpr std::size_t kMostChanges = 2;
 
 /// Returns the smallest number of letters to insert, remove, replace or exchange with the next one
@@ -33,18 +31,14 @@ std::size_t changes_between(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string unknown_command(const std::string& word, const std::vector<std::string>& commands) {
-  const std::string error = "unknown command '" + word + "'";
-  const auto nearest =
-      std::min_element(commands.begin(), commands.end(), [&](const std::string& a, const std::string& b) {
-        return changes_between(word, a) < changes_between(word, b);
-      });
-  if (nearest != commands.end() && changes_between(word, *nearest) <= kMostChanges)
-    return error + " (did you mean '" + *nearest + "'?)";
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(word, ignored))
-    return error + " (did you mean 'crossgrain solve " + word + "'?)";
-  return error;
+std::optional<std::string> nearest_name(const std::string& word, const std::vector<std::string>& names) {
+  const auto nearest = std::ranges::min_element(
+      names, {}, [&](const std::string& name) { return changes_between(word, name); });
+  if (nearest == names.end()) return std::nullopt;
+  if (changes_between(word, *nearest) <= kMostChanges) return *nearest;
+  const auto begins = [&](const std::string& name) { return name.starts_with(word); };
+  if (std::ranges::count_if(names, begins) != 1) return std::nullopt;
+  return *std::ranges::find_if(names, begins);
 }
 
 }  // namespace crossgrain::app
