@@ -149,8 +149,11 @@ class GmshTets : public TetProgram {
     } catch (const Error& unreadable) {
       if (unreadable.kind() != ErrorKind::kInput) throw;
     }
-    throw TetFailure{error.empty() ? "gmsh makes no tets of it"
-                                   : fmt::format("gmsh gives up on it ({})", error)};
+    if (error.empty()) throw TetFailure{"gmsh makes no tets of it"};
+    TetFailure failure{fmt::format("gmsh gives up on it ({})", error)};
+    // No size helps a surface whose triangles lie on each other.
+    if (error.find("overlapping facets") != error.npos) failure.remedy = Remedy::kUniteParts;
+    throw failure;
   }
 };
 

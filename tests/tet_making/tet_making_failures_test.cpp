@@ -100,7 +100,10 @@ TEST(TetMakingFailure, ACrashIsTold) {
 
 TEST(TetMakingFailure, AnErrorOfGmshIsPassedOn) {
   expect_words(FakeGmsh("echo 'Info    : so far'; echo 'Error   : No luck with surface 3' >&2").error(),
-               ErrorKind::kInput, {"gmsh gives up on it (No luck with surface 3)"});
+               ErrorKind::kInput, {"gmsh gives up on it (No luck with surface 3)", "another size"});
+  expect_words(
+      FakeGmsh("echo 'Error   : Invalid boundary mesh (overlapping facets) on surface 1' >&2").error(),
+      ErrorKind::kInput, {"(Invalid boundary mesh (overlapping facets) on surface 1); unite its parts"});
   expect_words(FakeGmsh("exit 0").error(), ErrorKind::kInput, {"gmsh makes no tets of it"});
   expect_words(FakeGmsh("echo half > \"$(dirname \"$1\")/tets.msh\"").error(), ErrorKind::kInput,
                {"gmsh makes no tets of it"});
