@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "crossgrain/place.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "crossgrain/writing.hpp"
@@ -107,9 +108,9 @@ std::string comparison_with(const SolveReport::Coarser& coarser, const Singulari
   constexpr std::size_t kMost = 5;
   for (std::size_t k = 0; k < std::min(coarser.differences.size(), kMost); ++k) {
     const auto& difference = coarser.differences[k];
-    const auto& [x, y, z] = difference.place;
-    text += fmt::format("  only {}: an arc of index {:+g} at {:.6g} {:.6g} {:.6g}\n",
-                        difference.only_coarser ? "there" : "here", difference.index, x, y, z);
+    text +=
+        fmt::format("  only {}: an arc of index {:+g} at {}\n", difference.only_coarser ? "there" : "here",
+                    difference.index, words_of_place(difference.place));
   }
   if (coarser.differences.size() > kMost)
     text += fmt::format("  and {} more; --json lists all\n", coarser.differences.size() - kMost);

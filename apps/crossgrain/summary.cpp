@@ -7,10 +7,12 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "crossgrain/message.hpp"
 #include "crossgrain/page.hpp"
+#include "crossgrain/place.hpp"
 #include "crossgrain/reading.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "messages.hpp"
@@ -149,13 +151,13 @@ const char* words_of(ModelSource source) {
 std::string fit_row(const HexReport& hexahedra) {
   const bool is_of_model = hexahedra.largest_distance_of_model > hexahedra.largest_distance;
   const double distance = is_of_model ? hexahedra.largest_distance_of_model : hexahedra.largest_distance;
-  const auto& [x, y, z] =
+  const Vector3& place =
       is_of_model ? hexahedra.largest_distance_of_model_place : hexahedra.largest_distance_place;
   constexpr double kOnSurface = 1e-9;  // in sizes of hexahedra
-  const std::string farthest =
-      distance < kOnSurface * hexahedra.used_size
-          ? "nowhere off the surface"
-          : fmt::format("farthest from the surface by {:.3g} at {:.4g} {:.4g} {:.4g}", distance, x, y, z);
+  const std::string farthest = distance < kOnSurface * hexahedra.used_size
+                                   ? "nowhere off the surface"
+                                   : fmt::format("farthest from the surface by {:.3g} at {}", distance,
+                                                 words_of_place(place, std::cbrt(hexahedra.model_volume)));
   return row(
       "fit",
       fmt::format("volume {} and area {} of {}; {}", deviation(hexahedra.volume, hexahedra.model_volume),
@@ -218,14 +220,6 @@ std::string advice_on(const Warning& warning, const SolveReport& report, const S
   return line_of(warning, arguments);
 }
 
-/// Whether the first line says it already.
-bool is_said(const Warning& warning, const SolveReport& report) {
-  const bool is_of_contact = warning.kind == WarningKind::kOverlappingSolids ||
-                             warning.kind == WarningKind::kTouchingSolids ||
-                             warning.kind == WarningKind::kUnmergedVertices;
-  return is_of_contact && report.hexahedra && report.hexahedra->outcome == HexOutcome::kFlawed;
-}
-
 std::string warning_rows(const SolveReport& report, const SolveArguments& arguments) {
   std::string text;
   for (const Warning& warning : report.warnings)
@@ -250,6 +244,30 @@ std::string hexahedra_rows(const SolveReport& report, const SolveArguments& argu
   std::string text = hexahedra_row(hexahedra, arguments);
   if (hexahedra.hexahedra > 0) text += worst_row(hexahedra) + fit_row(hexahedra);
   return text + way_row(hexahedra);
+}
+
+/// Whether a noun with a number behind it is in a text: "face 12".
+bool has_numbered(std::string_view text, std::string_view noun) {
+  for (std::size_t at = text.find(noun); at != text.npos; at = text.find(noun, at + 1)) {
+    const std::string_view rest = text.substr(at + noun.size());
+    if (rest.size() > 1 && rest[0] == ' ' && rest[1] >= '0' && rest[1] <= '9') return true;
+  }
+  return false;
+}
+
+/// Says where to look up the numbers of faces, if a text names any.
+std::string faces_row(const std::string& text, const SolveReport& report, const SolveArguments& arguments) {
+  if (report.faces.empty()) return "";
+  const bool are_patches = report.faces.front().kind == FaceKind::kPatch;
+  if (!has_numbered(text, are_patches ? "patch" : "face") &&
+      !has_numbered(text, are_patches ? "patches" : "faces"))
+    return "";
+  const std::size_t count = report.faces.size();
+  return row(
+      are_patches ? "patches" : "faces",
+      fmt::format(
+          "{}{}, numbered in report.json and on the page; a picture: crossgrain render {} --colour face",
+          count, are_patches ? " between sharp edges" : "", arguments.output));
 }
 
 /// What `--verbose` adds.
@@ -293,6 +311,7 @@ std::string line_of(const HexReport& hexahedra, const SolveArguments& arguments)
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
   std::string text = report.hexahedra ? hexahedra_rows(report, arguments) : field_rows(report, arguments);
   text += warning_rows(report, arguments);
+  text += faces_row(text, report, arguments);
   if (arguments.verbose) text += detail_rows(report);
   return text + files_row(report, arguments) + time_row(report);
 }
@@ -315,6 +334,16 @@ bool is_of_reading(const Warning& warning) {
     default:
       return false;
   }
+}
+
+bool is_said(const Warning& warning, const SolveReport& report) {
+  const auto begins_with = [&](FindingKind kind) { return warning.text.starts_with(name_of(kind)); };
+  const bool is_of_contact =
+      warning.kind == WarningKind::kOverlappingSolids || warning.kind == WarningKind::kTouchingSolids ||
+      warning.kind == WarningKind::kUnmergedVertices ||
+      (warning.kind == WarningKind::kSurfaceFinding &&
+       (begins_with(FindingKind::kTouchingComponents) || begins_with(FindingKind::kOverlappingComponents)));
+  return is_of_contact && report.hexahedra && report.hexahedra->outcome == HexOutcome::kFlawed;
 }
 
 bool is_always_printed(const Warning& warning) {

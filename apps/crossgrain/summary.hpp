@@ -37,6 +37,9 @@ bool is_unsettled(const Warning& warning);
 /// work.
 bool is_of_reading(const Warning& warning);
 
+/// Whether the first row of the summary says it, that solids touch or overlap.
+bool is_said(const Warning& warning, const SolveReport& report);
+
 /// Returns whether the warning is printed even with --quiet: what was solved differs from the input or the
 /// request, or the exit code needs an explanation.
 bool is_always_printed(const Warning& warning);

@@ -28,6 +28,14 @@ std::size_t tags_in(const Features& features) {
   return tags.size();
 }
 
+/// "19 patches", of a CAD file or a surface with numbers "19 faces".
+std::string faces_text(const TetMesh& mesh) {
+  const bool are_patches =
+      mesh.given && !mesh.given->faces.empty() && mesh.given->faces.front().kind == FaceKind::kPatch;
+  const std::size_t count = tags_in(mesh.feature_faces);
+  return are_patches ? counted(count, "patch", "patches") : counted(count, "face");
+}
+
 std::string summary_of(const TetMesh& mesh, double seconds, const std::string& output) {
   const TetQuality quality = quality_of(mesh);
   const auto creases =
@@ -39,7 +47,7 @@ std::string summary_of(const TetMesh& mesh, double seconds, const std::string& o
          fmt::format("shape      mean ratio {:.3g} at worst, {:.3g} in the mean\n", quality.worst,
                      quality.mean) +
          fmt::format("surface    {} of {}, {} on creases\n", counted(mesh.feature_faces.size(), "triangle"),
-                     counted(tags_in(mesh.feature_faces), "face"), counted(creases, "edge")) +
+                     faces_text(mesh), counted(creases, "edge")) +
          fmt::format("time       {:.3g} s\nresult     {}\n", seconds, output);
 }
 

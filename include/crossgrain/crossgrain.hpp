@@ -16,6 +16,7 @@
 #include "crossgrain/options.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/place.hpp"
 #include "crossgrain/reading.hpp"
 #include "crossgrain/repair.hpp"
 #include "crossgrain/report.hpp"

@@ -27,7 +27,7 @@ enum class Verdict : std::uint8_t {
 /// Returns the name in report.json: "meshable", "not_meshable" or "undecided".
 const char* name_of(Verdict verdict);
 
-/// Returns the answer in short: "hexahedra fit locally", "this field has no hexahedra" or "undecided".
+/// Returns the answer in short: "hexahedra fit locally", "hexahedra cannot follow this field" or "undecided".
 const char* words_of(Verdict verdict);
 
 /// Why a field is not meshable or undecided.

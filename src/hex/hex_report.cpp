@@ -12,6 +12,7 @@
 
 #include "base/names.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/place.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/model_fit.hpp"
 #include "measure/fault_words.hpp"
@@ -62,13 +63,16 @@ struct Explanation {
 
 /// The first fault of a repaired field: of the surface before those inside. Only what is sharp can be made
 /// less so.
-Explanation first_fault(const SolveReport::Singularity& graph) {
+Explanation first_fault(const SolveReport::Singularity& graph, const FaceNoun& noun) {
   Explanation result;
   result.places = places_of_faults(graph);
   const auto take_first = [&](const auto& parts, const auto& remedy_of, bool has_faces) {
     for (const auto& part : parts) {
       if (part.verdict != Verdict::kNotMeshable || !result.reason.empty()) continue;
-      result.reason = fault_of(part);
+      if constexpr (requires { fault_of(part, noun); })
+        result.reason = fault_of(part, noun);
+      else
+        result.reason = fault_of(part);
       result.remedy = remedy_of(part);
       result.has_faces = has_faces;
     }
@@ -88,7 +92,8 @@ Explanation first_fault(const SolveReport::Singularity& graph) {
 Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
   const HexAttempt& attempt = best.attempt;
   if (attempt.faults > 0) {
-    Explanation fault = first_fault(best.followed->field().report().onto->singularity);
+    const SolveReport& field = best.followed->field().report();
+    Explanation fault = first_fault(field.onto->singularity, noun_of(field.faces));
     fault.detail = fmt::format("none: no hexahedra can meet at {}",
                                counted(attempt.faults, "edge or vertex", "edges and vertices"));
     return fault;
@@ -144,9 +149,11 @@ std::vector<std::int32_t> faces_near(const TetSolid& solid, const Vector3& place
 std::string words_of_places(const std::vector<Vector3>& places, const HexCandidate& best, bool with_faces) {
   if (places.empty()) return "";
   const Vector3& at = places.front();
-  std::string text = fmt::format(" at {:.4g} {:.4g} {:.4g}", at[0], at[1], at[2]);
+  const SolveReport& field = best.followed->field().report();
+  std::string text = " at " + words_of_place(at, longest_side(field.model.bounding_box));
   const double reach = best.attempt.size > 0 ? best.attempt.size : best.asked_size;
-  const std::string faces = with_faces ? words_of_faces(faces_near(best.followed->solid(), at, reach)) : "";
+  const std::string faces =
+      with_faces ? words_of_faces(faces_near(best.followed->solid(), at, reach), noun_of(field.faces)) : "";
   if (!faces.empty()) text += ", near " + faces;
   return places.size() == 1 ? text : text + ", and at " + counted(places.size() - 1, "other place");
 }

@@ -14,6 +14,8 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/place.hpp"
+#include "measure/fault_words.hpp"
 #include "measure/hex_quality.hpp"
 #include "surface/bvh.hpp"
 #include "surface/model_faces.hpp"
@@ -181,18 +183,22 @@ std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, 
   std::stable_sort(bare.begin(), bare.end(),
                    [](const ModelFace& a, const ModelFace& b) { return a.area > b.area; });
   const std::vector<std::int32_t> tags = tags_of_faces(tets.mesh, tets.boundary);
-  std::string text = fmt::format("{} of the model {} no quads: ", counted(bare.size(), "face"),
-                                 bare.size() == 1 ? "has" : "have");
+  const FaceNoun noun = noun_of(bare);
+  std::string text =
+      fmt::format("{} of the model {} no quads: ", counted(bare.size(), noun.one, noun.several),
+                  bare.size() == 1 ? "has" : "have");
   bool are_narrow = true;
+  const double extent = longest_side(box_of(tets.mesh.vertices));
   for (std::size_t k = 0; k < bare.size(); ++k) {
     const ModelFace& face = bare[k];
     const double width = width_of(face, tets, tags);
     are_narrow = are_narrow && width < size;
     if (k >= kMostNamed) continue;
-    text += fmt::format("{}face {}, {} of area {:.3g}", k > 0 ? "; " : "", face.number, words_of(face.kind),
-                        face.area);
+    const bool is_patch = face.kind == FaceKind::kPatch;
+    text += fmt::format("{}{} {}{} of area {:.3g}", k > 0 ? "; " : "", noun.one, face.number,
+                        is_patch ? "" : fmt::format(", {}", words_of(face.kind)), face.area);
     if (width > 0) text += fmt::format(" and about {:.2g} wide", width);
-    text += fmt::format(", around {:.4g} {:.4g} {:.4g}", face.centre[0], face.centre[1], face.centre[2]);
+    text += ", around " + words_of_place(face.centre, extent);
   }
   if (bare.size() > kMostNamed) text += fmt::format("; and {} more", bare.size() - kMostNamed);
   if (!are_narrow) return Warning(WarningKind::kFacesWithoutQuads, std::move(text));
@@ -211,10 +217,9 @@ std::optional<Warning> poor_fit(const HexReport& report) {
     faults.push_back(fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
                                  missed < 0 ? "less" : "more"));
   if (distance > kPoorDistance * report.used_size)
-    faults.push_back(
-        fmt::format("are up to {:.2g} away from the model's surface, at {:.4g} {:.4g} {:.4g}, which is "
-                    "{:.2g} of their size",
-                    distance, at[0], at[1], at[2], distance / report.used_size));
+    faults.push_back(fmt::format(
+        "are up to {:.2g} away from the model's surface, at {}, which is {:.2g} of their size", distance,
+        words_of_place(at, std::cbrt(report.model_volume)), distance / report.used_size));
   if (faults.empty()) return std::nullopt;
   return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")),
                  Remedy::kTakeSmallerHexahedra);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "crossgrain/message.hpp"
+#include "crossgrain/place.hpp"
 #include "measure/body_contacts.hpp"
 #include "measure/hex_interfaces.hpp"
 
@@ -41,14 +42,13 @@ void judge_solids(const HexMesh& mesh, const TetSolid& model, bool is_united, He
   report.interface_faces = interfaces.faces;
   report.largest_interface_distance = interfaces.largest_distance;
   if (interfaces.off > 0 && !is_united) {
-    const auto& [x, y, z] = interfaces.place;
     warnings.emplace_back(
         WarningKind::kCrossedInterfaces,
         fmt::format(
             "hexahedra do not keep to the faces between solids: {} of {} between them are off, by up to "
-            "{:.2g} ({:.2g} of their size) at {:.4g} {:.4g} {:.4g}; smaller hexahedra come closer",
+            "{:.2g} ({:.2g} of their size) at {}; smaller hexahedra come closer",
             interfaces.off, counted(interfaces.faces, "face"), interfaces.largest_distance,
-            interfaces.largest_distance / report.used_size, x, y, z));
+            interfaces.largest_distance / report.used_size, words_of_place(interfaces.place)));
   }
   if (report.outcome != HexOutcome::kAllHex) return;
   if (const std::vector<BodyContact> contacts = body_contacts(model); !contacts.empty())

@@ -9,6 +9,7 @@
 #include "base/names.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/message.hpp"
+#include "crossgrain/place.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/verdict.hpp"
 #include "measure/answer_limits.hpp"
@@ -66,10 +67,10 @@ class Reasons {
 };
 
 /// The angle of the surface itself does not depend on the cells.
-void judge_surface(const Singularity& singularity, Reasons& reasons) {
+void judge_surface(const Singularity& singularity, const FaceNoun& noun, Reasons& reasons) {
   reasons.add_worst(
       ReasonKind::kKnifeEdge, Verdict::kNotMeshable, singularity.crease_list, Verdict::kNotMeshable,
-      [](const Singularity::Crease& it) { return fault_of(it); }, Remedy::kRoundEdge);
+      [&](const Singularity::Crease& it) { return fault_of(it, noun); }, Remedy::kRoundEdge);
   // Only what is sharp can be cut off.
   std::vector<Singularity::Corner> sharp, smooth;
   for (const Singularity::Corner& it : singularity.corner_list)
@@ -78,16 +79,16 @@ void judge_surface(const Singularity& singularity, Reasons& reasons) {
        {std::pair(&sharp, Remedy::kCutCorner), std::pair(&smooth, Remedy::kTryOtherCells)})
     reasons.add_worst(
         ReasonKind::kCorner, Verdict::kNotMeshable, *corners, Verdict::kNotMeshable,
-        [](const Singularity::Corner& it) { return fault_of(it); }, remedy);
-  const auto rounded = [](const Singularity::Crease& crease) {
+        [&](const Singularity::Corner& it) { return fault_of(it, noun); }, remedy);
+  const auto rounded = [&](const Singularity::Crease& crease) {
     return fmt::format("the edge of {:.3g} degrees{} has one hexahedron or none, by rounding",
-                       crease.least_angle_deg, between(crease.faces));
+                       crease.least_angle_deg, between(crease.faces, noun));
   };
   reasons.add_worst(ReasonKind::kKnifeEdge, Verdict::kUndecided, singularity.crease_list, Verdict::kUndecided,
                     rounded, Remedy::kRoundEdge);
-  const auto undecided = [](const Singularity::Corner& it) {
+  const auto undecided = [&](const Singularity::Corner& it) {
     return fmt::format("rounding or the size of the cells decides about a corner of {}{}",
-                       counted(it.creases.size(), "sharp edge"), between(it.faces));
+                       counted(it.creases.size(), "sharp edge"), between(it.faces, noun));
   };
   reasons.add_worst(ReasonKind::kCorner, Verdict::kUndecided, singularity.corner_list, Verdict::kUndecided,
                     undecided, Remedy::kChangeAngles);
@@ -240,8 +241,7 @@ void judge_end(const SolveReport& report, Reasons& reasons) {
 /// Returns where a reason holds: " at 1 2 3 and at 2 other places"; empty if it is about no place.
 std::string places_of(const Reason& reason) {
   if (reason.count == 0) return "";
-  const auto& [x, y, z] = reason.place;
-  const std::string text = fmt::format(" at {:.6g} {:.6g} {:.6g}", x, y, z);
+  const std::string text = " at " + words_of_place(reason.place);
   return reason.count == 1 ? text : text + " and at " + counted(reason.count - 1, "other place");
 }
 
@@ -253,7 +253,7 @@ const char* name_of(Verdict verdict) {
 }
 
 const char* words_of(Verdict verdict) {
-  constexpr std::array kWords{"hexahedra fit locally", "this field has no hexahedra", "undecided"};
+  constexpr std::array kWords{"hexahedra fit locally", "hexahedra cannot follow this field", "undecided"};
   return name_among<Verdict::kUndecided>(kWords, verdict);
 }
 
@@ -275,7 +275,7 @@ Answer answer_of(const SolveReport& report) {
   judge_end(report, reasons);
   const Singularity& singularity = report.onto ? report.onto->singularity : report.singularity;
   judge_lines(singularity, reasons.empty() ? Verdict::kNotMeshable : Verdict::kUndecided, reasons);
-  judge_surface(singularity, reasons);
+  judge_surface(singularity, noun_of(report.faces), reasons);
   Answer answer = std::move(reasons).answer();
   answer.is_meshed = report.hexahedra.has_value();
   return answer;
@@ -295,7 +295,7 @@ std::string sentence_of(const Answer& answer, const std::string& remedy_words) {
   const std::string where = places_of(first);
   if (answer.verdict == Verdict::kNotMeshable) {
     text += where + ": " + first.text;
-    if (!answer.is_meshed) text += "; 'crossgrain hex' may still find a mesh";
+    if (!answer.is_meshed) text += "; 'crossgrain hex' changes the field, and may mesh the part";
   } else {
     text += ", because " + first.text + where;
   }

@@ -15,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/message.hpp"
+#include "crossgrain/place.hpp"
 #include "surface/bvh.hpp"
 #include "surface/crease_angles.hpp"
 #include "surface/edge_uses.hpp"
@@ -291,7 +292,7 @@ Warning warning_of(const std::vector<BodyContact>& contacts) {
                                  first.is_overlap ? "overlap, and both are meshed whole, one in the other"
                                                   : "touch, but are meshed apart, without common vertices");
   if (contacts.size() > 1) text += fmt::format(", and {}", counted(contacts.size() - 1, "more pair"));
-  text += fmt::format(", at {:.4g} {:.4g} {:.4g}", first.place[0], first.place[1], first.place[2]);
+  text += ", at " + words_of_place(first.place);
   if (first.is_overlap) return {WarningKind::kOverlappingSolids, text, Remedy::kSeparateSolids};
   return {WarningKind::kTouchingSolids, text, Remedy::kGlueSolids};
 }

@@ -13,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/place.hpp"
 #include "measure/alignment.hpp"
 #include "measure/angle_statistics.hpp"
 #include "surface/clipping.hpp"
@@ -28,10 +29,6 @@ constexpr double kMeasuredGap = 0.1;
 
 bool has_place(const Box& box, const Vector3& place) {
   return !clip_segment({place, place}, box).empty();
-}
-
-std::string in_words(const Vector3& place) {
-  return fmt::format("{:.6g} {:.6g} {:.6g}", place[0], place[1], place[2]);
 }
 
 /// Returns whether an active leaf holds a place.
@@ -195,7 +192,8 @@ void check_places(const Constraints& constraints, const Box& model) {
   throw Error(ErrorKind::kInput,
               message_on(constraints, 0, "constraints",
                          fmt::format("all places lie outside the model, which extends from {} to {}",
-                                     in_words(model.low), in_words(model.high)),
+                                     words_of_place(model.low, longest_side(model)),
+                                     words_of_place(model.high, longest_side(model))),
                          Remedy::kMatchUnits));
 }
 
@@ -238,7 +236,7 @@ std::optional<Warning> outside_constraints_warning(const RequestedAxes& asked, c
   return Warning(WarningKind::kConstraintsOutside,
                  {source, "",
                   fmt::format("constraints outside the solid: {}, the first at {}; they have no effect",
-                              fmt::join(parts, ", "), in_words(*asked.first_outside))});
+                              fmt::join(parts, ", "), words_of_place(*asked.first_outside))});
 }
 
 }  // namespace crossgrain

@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/place.hpp"
 #include "measure/alignment.hpp"
 #include "measure/angle_statistics.hpp"
 #include "surface/edge_uses.hpp"
@@ -122,21 +123,19 @@ std::vector<Warning> crease_warnings(const CreaseNetwork& creases) {
   const auto crowded = std::ranges::find_if(creases.corners, is_crowded);
   if (crowded != creases.corners.end()) {
     const auto count = static_cast<std::size_t>(std::ranges::count_if(creases.corners, is_crowded));
-    const auto& [x, y, z] = crowded->position;
     warnings.emplace_back(
         WarningKind::kCrowdedCorners,
-        fmt::format("{} of more than three creases, {} {:.6g} {:.6g} {:.6g}: no frame has an axis across all "
+        fmt::format("{} of more than three creases, {} {}: no frame has an axis across all "
                     "faces there",
-                    counted(count, "corner"), first_at(count), x, y, z));
+                    counted(count, "corner"), first_at(count), words_of_place(crowded->position)));
   }
   if (creases.knives.count > 0) {
-    const auto& [x, y, z] = creases.knives.places[0];
     warnings.emplace_back(
         WarningKind::kKnifeEdges,
-        fmt::format(
-            "{} with less than 45 degrees of solid between two faces, {} {:.6g} {:.6g} {:.6g}: no frame "
-            "follows both",
-            counted(creases.knives.count, "edge"), first_at(creases.knives.count), x, y, z));
+        fmt::format("{} with less than 45 degrees of solid between two faces, {} {}: no frame "
+                    "follows both",
+                    counted(creases.knives.count, "edge"), first_at(creases.knives.count),
+                    words_of_place(creases.knives.places[0])));
   }
   return warnings;
 }

@@ -23,11 +23,11 @@ bool tapers(const Singularity::Corner& corner) {
   return corner.narrowest_deg < kTaperingDeg;
 }
 
-std::string tapering(const std::vector<std::int32_t>& faces) {
-  if (faces.empty()) return "a face tapers to nothing";
-  std::string text = fmt::format("face {} tapers to nothing", faces.front());
-  if (faces.size() == 2) text += fmt::format(" beside face {}", faces.back());
-  if (faces.size() > 2) text += between({faces.back(), faces[1]});
+std::string tapering(const std::vector<std::int32_t>& faces, const FaceNoun& noun) {
+  if (faces.empty()) return fmt::format("a {} tapers to nothing", noun.one);
+  std::string text = fmt::format("{} {} tapers to nothing", noun.one, faces.front());
+  if (faces.size() == 2) text += fmt::format(" beside {} {}", noun.one, faces.back());
+  if (faces.size() > 2) text += between({faces.back(), faces[1]}, noun);
   return text;
 }
 
@@ -44,33 +44,37 @@ std::string edges_at(const Singularity::Corner& corner) {
 
 }  // namespace
 
-std::string words_of_faces(const std::vector<std::int32_t>& faces) {
+FaceNoun noun_of(const std::vector<ModelFace>& faces) {
+  return !faces.empty() && faces.front().kind == FaceKind::kPatch ? kPatch : kFace;
+}
+
+std::string words_of_faces(const std::vector<std::int32_t>& faces, const FaceNoun& noun) {
   std::vector<std::int32_t> named;
   for (const std::int32_t face : faces)
     if (std::ranges::find(named, face) == named.end()) named.push_back(face);
   if (named.empty()) return "";
-  if (named.size() == 1) return fmt::format("face {}", named.front());
+  if (named.size() == 1) return fmt::format("{} {}", noun.one, named.front());
   const std::size_t count = named.size();
   const bool names_all = count <= kMostNamed;
   const std::string last = names_all ? fmt::format("{}", named.back()) : counted(count - kMostNamed, "other");
   named.resize(names_all ? count - 1 : kMostNamed);
-  return fmt::format("faces {} and {}", fmt::join(named, ", "), last);
+  return fmt::format("{} {} and {}", noun.several, fmt::join(named, ", "), last);
 }
 
-std::string between(const std::vector<std::int32_t>& faces) {
-  const std::string words = words_of_faces(faces);
+std::string between(const std::vector<std::int32_t>& faces, const FaceNoun& noun) {
+  const std::string words = words_of_faces(faces, noun);
   if (words.empty()) return "";
-  return (words.starts_with("faces") ? " between " : " of ") + words;
+  return (words.starts_with(noun.several) ? " between " : " of ") + words;
 }
 
-std::string fault_of(const Singularity::Crease& crease) {
+std::string fault_of(const Singularity::Crease& crease, const FaceNoun& noun) {
   return fmt::format("the edge of {:.3g} degrees{} is too sharp for a hexahedron", crease.least_angle_deg,
-                     between(crease.faces));
+                     between(crease.faces, noun));
 }
 
-std::string fault_of(const Singularity::Corner& corner) {
-  if (tapers(corner)) return tapering(corner.faces);
-  const std::string where = corner.faces.empty() ? "" : " of " + words_of_faces(corner.faces);
+std::string fault_of(const Singularity::Corner& corner, const FaceNoun& noun) {
+  if (tapers(corner)) return tapering(corner.faces, noun);
+  const std::string where = corner.faces.empty() ? "" : " of " + words_of_faces(corner.faces, noun);
   if (corner.creases.empty())
     return fmt::format("no hexahedra fit at a point of the surface{} where {} {}", where,
                        counted(corner.arcs.size(), "singular line"),

@@ -9,6 +9,7 @@
 #include "base/names.hpp"
 #include "crossgrain/hex_report.hpp"
 #include "crossgrain/message.hpp"
+#include "crossgrain/place.hpp"
 
 namespace crossgrain {
 namespace {
@@ -48,9 +49,8 @@ const char* name_of(HexOutcome outcome) {
 }
 
 std::string shapes_of(const HexReport::Quality& quality) {
-  const auto& [x, y, z] = quality.worst_place;
-  return fmt::format("scaled Jacobian {:.2g} at {:.4g} {:.4g} {:.4g}, {:.2g} in the mean", quality.least, x,
-                     y, z, quality.mean);
+  return fmt::format("scaled Jacobian {:.2g} at {}, {:.2g} in the mean", quality.least,
+                     words_of_place(quality.worst_place), quality.mean);
 }
 
 std::string sentence_of(const HexReport& report) {

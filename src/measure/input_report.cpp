@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "crossgrain/place.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -62,18 +64,21 @@ SolveReport::Input input_report(const MendedSurface& mended, const SurfaceFindin
 }
 
 std::string sentence_of(const SolveReport::Finding& finding) {
+  return sentence_of(finding, 0);
+}
+
+std::string sentence_of(const SolveReport::Finding& finding, double size) {
   const char* which = finding.count > 1 ? "the first at" : "at";
-  std::string size;
+  std::string length;
   if (finding.length) {
     const bool is_hole = finding.kind == FindingKind::kHole;
-    size = fmt::format("{}{:.3g} {}, ", finding.count > 1 ? "the largest " : "", *finding.length,
-                       is_hole ? "around" : "across");
+    length = fmt::format("{}{:.3g} {}, ", finding.count > 1 ? "the largest " : "", *finding.length,
+                         is_hole ? "around" : "across");
     which = "at";
   }
-  const auto& [x, y, z] = finding.place;
-  return fmt::format("{}: {}{}{}, {}{} {:.6g} {:.6g} {:.6g}; {}", name_of(finding.kind),
-                     finding.at_least ? "at least " : "", finding.count, treatment_of(finding.kind).detail,
-                     size, which, x, y, z, words_of(finding.done));
+  return fmt::format("{}: {}{}{}, {}{} {}; {}", name_of(finding.kind), finding.at_least ? "at least " : "",
+                     finding.count, treatment_of(finding.kind).detail, length, which,
+                     words_of_place(finding.place, size), words_of(finding.done));
 }
 
 }  // namespace crossgrain

@@ -9,4 +9,7 @@ namespace crossgrain {
 
 SolveReport::Input input_report(const MendedSurface& mended, const SurfaceFindings& findings);
 
+/// sentence_of(finding) in a model of this longest side.
+std::string sentence_of(const SolveReport::Finding& finding, double size);
+
 }  // namespace crossgrain

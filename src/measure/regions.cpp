@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/place.hpp"
 #include "surface/bvh.hpp"
 #include "surface/solid_split.hpp"
 #include "surface/winding_number.hpp"
@@ -229,23 +230,21 @@ CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const G
 
   const Contested overlap = contested_leaves(contested, level);
   if (overlap.count > 0) {
-    const auto [x, y, z] = overlap.first;
     result.warnings.emplace_back(
         WarningKind::kOverlappingSolids,
-        fmt::format("solids overlap: cells in more than one: {}, the first around {:.6g} {:.6g} {:.6g}; "
-                    "they count for the smallest of them, and the surfaces of all constrain frames there",
-                    overlap.count, x, y, z),
+        fmt::format("solids overlap: cells in more than one: {}, the first around {}; they count for the "
+                    "smallest of them, and the surfaces of all constrain frames there",
+                    overlap.count, words_of_place(overlap.first, longest_side(outer.box))),
         Remedy::kSeparateSolids);
   } else if (const RegionFinder::Contacts contacts = finder.contacts(); contacts.triangles > 0) {
-    const auto& [x, y, z] = contacts.place;
     result.warnings.emplace_back(
         WarningKind::kTouchingSolids,
         fmt::format(
             "solids touch by faces that are not the same triangles: {} of solids, {}, the first of solid {} "
-            "against solid {} around {:.6g} {:.6g} {:.6g}; both surfaces constrain frames there, also where "
+            "against solid {} around {}; both surfaces constrain frames there, also where "
             "solids are united",
             counted(contacts.pairs_of_solids, "pair"), counted(contacts.triangles, "triangle"),
-            contacts.solid, contacts.other_solid, x, y, z),
+            contacts.solid, contacts.other_solid, words_of_place(contacts.place, longest_side(outer.box))),
         Remedy::kGlueSolids);
   }
   const auto empty = [](const SolveReport::Region& region) { return region.cells == 0; };

@@ -10,6 +10,7 @@
 #include "base/system_memory.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/place.hpp"
 #include "field/memory_budget.hpp"
 #include "field/nested_solve.hpp"
 #include "field/solve_forecast.hpp"
@@ -159,10 +160,9 @@ void check_interior(const GridLevel& finest, const MendedSurface& mended) {
   if (!mended.closed) {
     const Finding* hole = find(mended.findings, FindingKind::kHole);
     const std::string where =
-        hole == nullptr
-            ? ""
-            : fmt::format(", with an opening {:.3g} around at {:.6g} {:.6g} {:.6g}", hole->length.value_or(0),
-                          hole->place[0], hole->place[1], hole->place[2]);
+        hole == nullptr ? ""
+                        : fmt::format(", with an opening {:.3g} around at {}", hole->length.value_or(0),
+                                      words_of_place(hole->place, longest_side(surface.box)));
     throw Error(ErrorKind::kInput, "the surface is open" + where + ", and encloses nothing",
                 Remedy::kCloseSurface);
   }

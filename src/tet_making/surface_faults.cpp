@@ -7,6 +7,7 @@
 #include <string>
 
 #include "crossgrain/error.hpp"
+#include "crossgrain/place.hpp"
 #include "measure/input_report.hpp"
 #include "surface/self_intersections.hpp"
 
@@ -15,10 +16,6 @@ namespace {
 
 /// Longer lists of places do not help to find them.
 constexpr std::size_t kMostPlaces = 5;
-
-std::string text_of(const Vector3& place) {
-  return fmt::format("{:.6g} {:.6g} {:.6g}", place[0], place[1], place[2]);
-}
 
 /// Returns "2 holes: of 4 edges around 0 0 1 and of 3 edges around 5 0 1", the longest first.
 std::string holes_in_words(std::vector<OpenLoop> loops) {
@@ -29,7 +26,7 @@ std::string holes_in_words(std::vector<OpenLoop> loops) {
   std::string text = counted(loops.size(), "hole") + ":";
   for (std::size_t k = 0; k < std::min(loops.size(), kMostPlaces); ++k)
     text += fmt::format("{} {} around {}", k == 0 ? "" : ",", counted(loops[k].edges, "edge"),
-                        text_of(loops[k].middle));
+                        words_of_place(loops[k].middle));
   if (loops.size() > kMostPlaces) text += fmt::format(", and {} smaller", loops.size() - kMostPlaces);
   return text;
 }
@@ -45,13 +42,15 @@ void refuse_if_open(const MendedSurface& mended) {
   const Finding* crack = find(mended.findings, FindingKind::kCrack);
   if (crack != nullptr)
     refuse(fmt::format("the surface is not closed, it has {} along cracks, the widest {:.3g} across at {}",
-                       counted(crack->count, "open edge"), crack->length.value_or(0), text_of(crack->place)),
+                       counted(crack->count, "open edge"), crack->length.value_or(0),
+                       words_of_place(crack->place)),
            Remedy::kCloseHoles);
   const Finding* edges = find(mended.findings, FindingKind::kNonmanifoldEdge);
   refuse(fmt::format("the surface is not closed{}",
-                     edges == nullptr ? std::string()
-                                      : fmt::format(": {} of more than two triangles, the first at {}",
-                                                    counted(edges->count, "edge"), text_of(edges->place))),
+                     edges == nullptr
+                         ? std::string()
+                         : fmt::format(": {} of more than two triangles, the first at {}",
+                                       counted(edges->count, "edge"), words_of_place(edges->place))),
          Remedy::kCloseSurface);
 }
 
@@ -63,7 +62,7 @@ void refuse_if_crossing(const SurfaceFindings& findings) {
     refuse(fmt::format("{}: {}{}, the first at {}",
                        is_within ? "the surface cuts through itself" : "closed parts of the surface overlap",
                        finding->at_least ? "at least " : "", counted(finding->count, "pair"),
-                       text_of(finding->place)),
+                       words_of_place(finding->place)),
            Remedy::kUniteParts);
   }
 }
@@ -79,7 +78,8 @@ std::vector<Warning> check_bounds_solid(const SearchableSurface& surface) {
   for (SolveReport::Finding finding : input_report(surface.mended(), findings).findings) {
     // What they separate is cut into tets as one solid.
     if (finding.kind == FindingKind::kInternalSheet) finding.done = FindingOutcome::kLeftOut;
-    warnings.emplace_back(WarningKind::kSurfaceFinding, sentence_of(finding));
+    warnings.emplace_back(WarningKind::kSurfaceFinding,
+                          sentence_of(finding, longest_side(surface.mended().surface.box)));
   }
   return warnings;
 }

@@ -12,7 +12,7 @@ from page_reader import Page
 from program import CommandTest, box_triangles, cylinder_triangles, stl_bytes, with_option
 from render_test import read_png
 
-WORDS = {"meshable": "hexahedra fit locally", "not_meshable": "this field has no hexahedra", "undecided": "undecided"}
+WORDS = {"meshable": "hexahedra fit locally", "not_meshable": "hexahedra cannot follow this field", "undecided": "undecided"}
 
 
 def pyramid_triangles(height):
@@ -54,7 +54,7 @@ class AnswerTest(CommandTest):
         for verdict, _, report in self.for_each_model():
             self.assertEqual(report["verdict"], verdict)
             self.assertTrue(report["answer"].startswith(WORDS[verdict]), report["answer"])
-            self.assertEqual("'crossgrain hex' may still find a mesh" in report["answer"], verdict == "not_meshable")
+            self.assertEqual("'crossgrain hex' changes the field, and may mesh the part" in report["answer"], verdict == "not_meshable")
             self.assertEqual([reason["verdict"] for reason in report["reasons"][:1]], [verdict] * (verdict != "meshable"))
 
     def test_check_says_the_same_first(self):

@@ -134,7 +134,7 @@ class OfSolidsThatHexahedraDoNotFit(CheckTest):
         self.assertEqual(report["verdict"], "not_meshable")
         self.assertEqual(report["reasons"][0]["kind"], "knife_edge")
         self.assertEqual(report["reasons"][0]["place"], [0, 0, 0.5])
-        self.assertRegex(report["answer"], r"the edge of 30 degrees between faces \d+ and \d+ is too sharp")
+        self.assertRegex(report["answer"], r"the edge of 30 degrees between patches \d+ and \d+ is too sharp")
         self.assertIn("fillet or a chamfer", report["answer"])
 
     def test_an_edge_of_45_degrees_is_undecided(self):

@@ -5,6 +5,7 @@ inside that is said."""
 
 import json
 import os
+import re
 import unittest
 from pathlib import Path
 
@@ -87,7 +88,8 @@ class Damage(CommandTest):
         for line, finding in zip(lines, findings):
             self.assertIn(f"{name}.stl: {finding['kind']}: ", line)
             self.assertIn(str(finding["count"]), line)
-            self.assertIn(" ".join(f"{x:.6g}" for x in finding["place"]), line)
+            said = np.array(re.search(r"\bat (\S+) (\S+) ([^\s;]+)", line).groups(), float)
+            np.testing.assert_allclose(said, finding["place"], rtol=0, atol=1e-4 * np.abs(finding["place"]).max())
             self.assertTrue(line.endswith("; " + finding["done_text"]), line)
         found = [warning["text"] for warning in report["warnings"] if warning["kind"] == "surface_finding"]
         self.assertEqual([line.split(f"{name}.stl: ", 1)[1] for line in lines], found)

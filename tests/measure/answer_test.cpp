@@ -47,8 +47,9 @@ TEST(Answer, IsNoForAnArcOnlyIfHalfTheResolutionHasTheSameLines) {
   EXPECT_EQ(answer_of(report).verdict, Verdict::kNotMeshable);
   EXPECT_TRUE(
       sentence_of(answer_of(report))
-          .starts_with("this field has no hexahedra at 1 2 3: along a singular line three hexahedra would "
-                       "become five; "));
+          .starts_with(
+              "hexahedra cannot follow this field at 1 2 3: along a singular line three hexahedra would "
+              "become five; "));
 }
 
 TEST(Answer, IsNoForAKnifeEdgeWhateverTheCells) {
@@ -59,10 +60,11 @@ TEST(Answer, IsNoForAKnifeEdgeWhateverTheCells) {
   EXPECT_EQ(answer.verdict, Verdict::kNotMeshable);
   EXPECT_EQ(answer.reasons.front().kind, ReasonKind::kKnifeEdge) << "faults come first";
   EXPECT_EQ(answer.reasons.size(), 2u);
-  EXPECT_EQ(
-      sentence_of(answer),
-      "this field has no hexahedra at 4 5 6: the edge of 30 degrees between faces 3 and 8 is too sharp for a "
-      "hexahedron; 'crossgrain hex' may still find a mesh; next: give the edge a fillet or a chamfer");
+  EXPECT_EQ(sentence_of(answer),
+            "hexahedra cannot follow this field at 4 5 6: the edge of 30 degrees between faces 3 and 8 is "
+            "too sharp for a "
+            "hexahedron; 'crossgrain hex' changes the field, and may mesh the part; next: give the edge a "
+            "fillet or a chamfer");
 }
 
 TEST(Answer, OfAFieldSaysNothingOfAMeshThatWasMade) {

@@ -10,10 +10,18 @@ using Corner = FieldAnalysis::Singularity::Corner;
 using Node = FieldAnalysis::Singularity::Node;
 
 TEST(WordsOfFaces, AreTheirNumbersEachOnce) {
-  EXPECT_EQ(words_of_faces({}), "");
-  EXPECT_EQ(words_of_faces({7, 7}), "face 7");
-  EXPECT_EQ(words_of_faces({3, 5, 3, 9}), "faces 3, 5 and 9");
-  EXPECT_EQ(words_of_faces({1, 2, 3, 4, 5, 6}), "faces 1, 2, 3, 4 and 2 others");
+  EXPECT_EQ(words_of_faces({}, kFace), "");
+  EXPECT_EQ(words_of_faces({7, 7}, kFace), "face 7");
+  EXPECT_EQ(words_of_faces({3, 5, 3, 9}, kFace), "faces 3, 5 and 9");
+  EXPECT_EQ(words_of_faces({1, 2, 3, 4, 5, 6}, kFace), "faces 1, 2, 3, 4 and 2 others");
+}
+
+TEST(WordsOfFaces, CallThoseOfASurfaceOfTrianglesPatches) {
+  EXPECT_EQ(words_of_faces({7}, noun_of({{.number = 7, .kind = FaceKind::kPatch}})), "patch 7");
+  EXPECT_EQ(words_of_faces({7, 8}, noun_of({{.number = 7, .kind = FaceKind::kPatch}})), "patches 7 and 8");
+  EXPECT_EQ(words_of_faces({7}, noun_of({{.number = 7, .kind = FaceKind::kPlane}})), "face 7");
+  EXPECT_EQ(words_of_faces({7}, noun_of({})), "face 7");
+  EXPECT_EQ(between({7, 8}, kPatch), " between patches 7 and 8");
 }
 
 TEST(FaultOfACorner, NamesTheFaceThatTapersAndThoseBesideIt) {
@@ -21,9 +29,9 @@ TEST(FaultOfACorner, NamesTheFaceThatTapersAndThoseBesideIt) {
   corner.creases = {1, 3};
   corner.faces = {9, 12, 17};
   corner.narrowest_deg = 8;
-  EXPECT_EQ(fault_of(corner), "face 9 tapers to nothing between faces 17 and 12");
+  EXPECT_EQ(fault_of(corner, kFace), "face 9 tapers to nothing between faces 17 and 12");
   corner.faces = {};
-  EXPECT_EQ(fault_of(corner), "a face tapers to nothing");
+  EXPECT_EQ(fault_of(corner, kFace), "a face tapers to nothing");
 }
 
 TEST(FaultOfACorner, TellsItsEdges) {
@@ -32,7 +40,7 @@ TEST(FaultOfACorner, TellsItsEdges) {
   corner.faces = {1, 2, 3, 4};
   corner.narrowest_deg = 60;
   EXPECT_EQ(
-      fault_of(corner),
+      fault_of(corner, kFace),
       "no hexahedra fit in a corner of faces 1, 2, 3 and 4 where 3 convex edges and 1 concave edge meet");
 }
 
@@ -41,7 +49,7 @@ TEST(FaultOfACorner, OfOneEdgeIsItsEnd) {
   corner.creases = {3};
   corner.faces = {12};
   corner.narrowest_deg = 270;
-  EXPECT_EQ(fault_of(corner), "no hexahedra fit at the end of a sharp edge of face 12");
+  EXPECT_EQ(fault_of(corner, kFace), "no hexahedra fit at the end of a sharp edge of face 12");
 }
 
 TEST(FaultOfANode, OfOneLineIsItsEnd) {

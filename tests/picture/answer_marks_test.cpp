@@ -42,10 +42,10 @@ TEST(AnswerLegend, CountsCreasesAndCornersThatAreNotMeshableOrUndecided) {
       with_corners({Verdict::kUndecided, Verdict::kMeshable, Verdict::kNotMeshable, Verdict::kNotMeshable});
   report.singularity.crease_list.resize(3);
   report.singularity.crease_list[1].verdict = Verdict::kNotMeshable;
-  EXPECT_EQ(
-      texts_of(answer_legend(report, true)),
-      (std::vector<std::string>{"Answer: this field has no hexahedra", "crease, impossible for hexahedra (1)",
-                                "corner, impossible for hexahedra (2)", "corner, undecided (1)"}));
+  EXPECT_EQ(texts_of(answer_legend(report, true)),
+            (std::vector<std::string>{"Answer: hexahedra cannot follow this field",
+                                      "crease, impossible for hexahedra (1)",
+                                      "corner, impossible for hexahedra (2)", "corner, undecided (1)"}));
   EXPECT_EQ(texts_of(answer_legend(report, false)).size(), 1u);
 }
 

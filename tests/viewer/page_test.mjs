@@ -25,7 +25,7 @@ test("the numbers and the answer are those of the report", async () => {
   assert.match(await page.locator(by_test("number-energy")).innerText(), /^61\.3/);
   assert.equal(await page.locator(by_test("alignment-max")).innerText(), `${report.alignment_deg.max.toFixed(1)}°`);
   assert.equal(await page.locator(by_test("answer")).textContent(), report.answer);
-  assert.match(await page.locator(by_test("badge")).textContent(), /this field has no hexahedra$/);
+  assert.match(await page.locator(by_test("badge")).textContent(), /hexahedra cannot follow this field$/);
   assert.deepEqual(await page.locator(`${by_test("warnings")} li`).allInnerTexts(), [
     "line 12: 'LOOKUP' is not known, and data after it are ignored",
   ]);

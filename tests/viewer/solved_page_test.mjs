@@ -73,7 +73,7 @@ const box_faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3
 const box = (height) => stl_text([...square(0), ...square(height)], box_faces);
 const pyramid = stl_text([...square(0), [0, 0, 2]], [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
 
-for (const [name, model_text, words] of [["box", box(1.5), "hexahedra fit locally"], ["pyramid", pyramid, "this field has no hexahedra"], ["plate", box(0.03), "undecided"]]) {
+for (const [name, model_text, words] of [["box", box(1.5), "hexahedra fit locally"], ["pyramid", pyramid, "hexahedra cannot follow this field"], ["plate", box(0.03), "undecided"]]) {
   test(`the page of a ${name} gives the answer of check: ${words}`, { skip }, async () => {
     const [stl, out] = [join(folder, `${name}.stl`), join(folder, name)];
     writeFileSync(stl, model_text);

@@ -218,7 +218,7 @@ export function components_scene() {
     },
     report: {
       verdict: "not_meshable",
-      answer: "this field has no hexahedra at 46 26 6: the edge of 30 degrees is too sharp for a hexahedron; 'crossgrain hex' may still find a mesh; next: give the edge a fillet or a chamfer",
+      answer: "hexahedra cannot follow this field at 46 26 6: the edge of 30 degrees is too sharp for a hexahedron; 'crossgrain hex' changes the field, and may mesh the part; next: give the edge a fillet or a chamfer",
       reasons: [
         { kind: "knife_edge", verdict: "not_meshable", count: 1, place: [46, 26, 6], text: "the edge of 30 degrees is too sharp for a hexahedron", next: "give the edge a fillet or a chamfer" },
         { kind: "arc", verdict: "not_meshable", count: 2, place: faulty.points[Math.floor(faulty.points.length / 2)], text: "an arc has a turning point: frames rotate about it in both senses", next: "try other cells" },

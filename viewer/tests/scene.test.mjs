@@ -130,7 +130,7 @@ test("lightness of the maps of quantities only rises or only falls, in steps of 
 
 test("the answer is the one of the report, in its words", () => {
   const answers = Object.values(made).map(({ report }) => answer_of(report));
-  assert.deepEqual(answers.map(({ judgement, short }) => [judgement, short]), [["good", "hexahedra fit locally"], ["unsure", "undecided"], ["bad", "this field has no hexahedra"], ["bad", "this field has no hexahedra"]]);
+  assert.deepEqual(answers.map(({ judgement, short }) => [judgement, short]), [["good", "hexahedra fit locally"], ["unsure", "undecided"], ["bad", "hexahedra cannot follow this field"], ["bad", "hexahedra cannot follow this field"]]);
   for (const { short, sentence } of answers) assert.ok(sentence.startsWith(short), sentence);
   assert.equal(answer_of({}), null);
   assert.equal(answer_of({ verdict: "of a later version" }), null);

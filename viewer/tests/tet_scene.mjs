@@ -96,7 +96,7 @@ export function tets_scene(more = {}) {
       },
     },
     report: {
-      verdict: "not_meshable", answer: "this field has no hexahedra at 10 10 -5: the edge of 30 degrees is too sharp for a hexahedron",
+      verdict: "not_meshable", answer: "hexahedra cannot follow this field at 10 10 -5: the edge of 30 degrees is too sharp for a hexahedron",
       reasons: [{ kind: "knife_edge", verdict: "not_meshable", count: 3, place: [half, half, -5], text: "the edge of 30 degrees is too sharp for a hexahedron" }],
       onto: { tets: tets.length, singularity, normal_deg: { mean: 1, p95: 2, max: 12 }, crease_deg: { mean: 1, p95: 2, max: 3 } },
       model: { path: "/parts/bar.vtk", triangles: triangles.length, watertight: true, components: 1, unit: "mm" },

@@ -13,7 +13,7 @@ import { fault_groups, folded_places, in_words, place_button, place_lists, place
 
 const kVerdicts: Record<VerdictName, { judgement: Judgement; short: string; sign: string }> = {
   meshable: { judgement: "good", short: "hexahedra fit locally", sign: "✓" },
-  not_meshable: { judgement: "bad", short: "this field has no hexahedra", sign: "!" },
+  not_meshable: { judgement: "bad", short: "hexahedra cannot follow this field", sign: "!" },
   undecided: { judgement: "unsure", short: "undecided", sign: "?" },
 };
 

@@ -6,7 +6,7 @@ import { add, axes_of } from "../math/frame.ts";
 import { coefficients_of, type Degree } from "../math/harmonics.ts";
 import { eigenvalues, form_value, unpacked } from "../math/symmetric_matrix.ts";
 import { cell_box, element_alignment, element_center, element_energy, element_quaternion, element_region, type Scene } from "../scene/scene.ts";
-import { counted, degrees, drawing, element, measured } from "./dom.ts";
+import { coordinates, counted, degrees, drawing, element, measured } from "./dom.ts";
 import { HarmonicPlot } from "./harmonic_plot.ts";
 
 /** Everything the panel says, as values; tests and `window.crossgrain` read it too. */
@@ -72,7 +72,7 @@ export interface CellPanel {
 export function show_cell(panel: HTMLElement, cell: CellDescription, unit: string, actions: { go(): void; close(): void }): CellPanel {
   const canvas = element("canvas", { class: "harmonic", role: "img", "aria-label": "The harmonic of the frame as a surface; its lobes lie along the axes, seen from the camera" });
   const length = unit ? ` ${unit}` : "";
-  const facts: [string, string, string][] = [["Centre", cell.center.map((value) => measured(value, 4)).join(", "), "cell-center"]];
+  const facts: [string, string, string][] = [["Centre", coordinates(cell.center), "cell-center"]];
   if (cell.size !== null) facts.push(["Side", `${measured(cell.size)}${length}`, "cell-size"]);
   if (cell.class !== null) facts.push(["Class", `${cell.class} (${kClasses.find(({ name }) => name === cell.class)?.meaning ?? ""})`, "cell-class"]);
   if (cell.region !== null) facts.push(["Region", String(cell.region), "cell-region"]);

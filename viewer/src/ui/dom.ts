@@ -28,6 +28,15 @@ export const by_id = (id: string): HTMLElement => document.getElementById(id)!;
 /** 30,093 */
 export const counted = (value: number): string => Math.round(value).toLocaleString("en-US");
 
+/** Coordinates below this share of the largest are rounding. */
+const kRounding = 1e-5;
+
+/** Coordinates of a place; what is rounding beside the largest is 0. */
+export function coordinates(place: readonly number[], digits = 4): string {
+  const largest = Math.max(...place.map(Math.abs));
+  return place.map((value) => measured(Math.abs(value) < kRounding * largest ? 0 : value, digits)).join(", ");
+}
+
 /** Three significant digits, with powers of ten for what is very large or small. */
 export function measured(value: number, digits = 3): string {
   if (!Number.isFinite(value)) return "–";

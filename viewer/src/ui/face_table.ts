@@ -16,7 +16,7 @@ interface Column {
 /** The columns that any face has a value for. */
 function columns_of(faces: ModelFace[], unit: string): Column[] {
   const square = unit ? ` (${unit}²)` : "";
-  const columns: Column[] = [{ name: "Face", key: ({ number }) => number, text: ({ number }) => String(number), is_number: true }];
+  const columns: Column[] = [{ name: noun_of(faces[0].kind), key: ({ number }) => number, text: ({ number }) => String(number), is_number: true }];
   if (faces.some(({ kind }) => kind !== null)) columns.push({ name: "Kind", key: ({ kind }) => kind ?? "", text: ({ kind }) => kind ?? "–", is_number: false });
   if (faces.some(({ area }) => area !== null)) columns.push({ name: `Area${square}`, key: ({ area }) => area ?? -1, text: ({ area }) => (area === null ? "–" : measured(area)), is_number: true });
   if (faces.some(({ quads }) => quads !== null)) columns.push({ name: "Quads", key: ({ quads }) => quads ?? -1, text: ({ quads }) => (quads === null ? "–" : counted(quads)), is_number: true });
@@ -29,7 +29,7 @@ export function face_table(faces: ModelFace[], unit: string, show: ((face: numbe
   const columns = columns_of(faces, unit);
   const body = element("tbody", {});
   const fill = (sorted: ModelFace[]): void => body.replaceChildren(...sorted.map((face) => row_of(face, columns, show)));
-  const heads: HTMLElement[] = columns.map((column) => element("th", { scope: "col", "aria-sort": column.name === "Face" ? "ascending" : "none", class: column.is_number ? "right" : undefined },
+  const heads: HTMLElement[] = columns.map((column) => element("th", { scope: "col", "aria-sort": column === columns[0] ? "ascending" : "none", class: column.is_number ? "right" : undefined },
     element("button", { type: "button", "data-testid": `sort-${column.name.split(" ")[0].toLowerCase()}`, click: () => {
       const head = heads[columns.indexOf(column)];
       const ascending = head.getAttribute("aria-sort") !== "ascending";
@@ -38,11 +38,12 @@ export function face_table(faces: ModelFace[], unit: string, show: ((face: numbe
       fill([...faces].sort((a, b) => (ascending ? 1 : -1) * compared(column.key(a), column.key(b)) || a.number - b.number));
     } }, column.name)));
   fill(faces);
+  const title = `${columns[0].name === "Patch" ? "Patches" : "Faces"} of the model`;
   return element("details", { class: "kind block", "data-testid": "faces" },
-    element("summary", {}, "Faces of the model", element("span", { class: "tally" }, ` ${counted(faces.length)}`)),
-    element("div", { class: "face-scroll", tabindex: 0, role: "region", "aria-label": "Faces of the model" },
+    element("summary", {}, title, element("span", { class: "tally" }, ` ${counted(faces.length)}`)),
+    element("div", { class: "face-scroll", tabindex: 0, role: "region", "aria-label": title },
       element("table", { class: "face-table" }, element("thead", {}, element("tr", {}, ...heads)), body)),
-    element("p", { class: "fine" }, `Face 12 is the set ${set_of(12)} of hexahedra.inp and the group “face 12” of hexahedra.msh.`));
+    element("p", { class: "fine" }, `${columns[0].name} 12 is the set ${set_of(12)} of hexahedra.inp and the group “face 12” of hexahedra.msh.`));
 }
 
 const compared = (a: number | string, b: number | string): number => (typeof a === "string" || typeof b === "string" ? String(a).localeCompare(String(b)) : a - b);
@@ -50,14 +51,17 @@ const compared = (a: number | string, b: number | string): number => (typeof a =
 function row_of(face: ModelFace, columns: Column[], show: ((face: number) => void) | null): HTMLElement {
   const cells = columns.map(({ text, is_number }, k) => {
     // The number is a button for who has no pointer; all of the row is one for who has.
-    const content = k === 0 && show ? element("button", { type: "button", "data-testid": "face-row", "aria-label": `Show face ${face.number}` }, text(face)) : text(face);
+    const content = k === 0 && show ? element("button", { type: "button", "data-testid": "face-row", "aria-label": `Show ${noun_of(face.kind).toLowerCase()} ${face.number}` }, text(face)) : text(face);
     return element(k === 0 ? "th" : "td", { scope: k === 0 ? "row" : undefined, class: is_number ? "right" : undefined }, content);
   });
   return element("tr", { class: face.quads === 0 ? "lacking" : undefined, ...(show ? { click: () => show(face.number) } : {}) }, ...cells);
 }
 
+/** Surfaces of triangles have patches between their sharp edges, whose numbers stand in no file of the user. */
+export const noun_of = (kind: string | null): "Face" | "Patch" => (kind === "patch" ? "Patch" : "Face");
+
 /** A face in a few words. */
-export const face_title = ({ number, kind }: ModelFace): string => `Face ${number}${kind ? ` · ${kind}` : ""}`;
+export const face_title = ({ number, kind }: ModelFace): string => `${noun_of(kind)} ${number}${kind && kind !== "patch" ? ` · ${kind}` : ""}`;
 
 /** What is known of the face that is picked. */
 export function face_block(face: ModelFace, { hexahedra }: Report, unit: string, actions: { go(): void; close: (() => void) | null }): HTMLElement {
@@ -69,7 +73,7 @@ export function face_block(face: ModelFace, { hexahedra }: Report, unit: string,
     ["In files", hexahedra ? `set ${set} of hexahedra.inp` : `set ${set} of the hexahedra.inp that “crossgrain hex” writes`, "face-set"],
   ];
   return element("section", { class: "block", "data-testid": "face" },
-    element("div", { class: "cell-head" }, element("h2", { "data-testid": "face-title" }, `Face ${face.number}`),
+    element("div", { class: "cell-head" }, element("h2", { "data-testid": "face-title" }, `${noun_of(face.kind)} ${face.number}`),
       element("div", { class: "buttons" },
         element("button", { type: "button", click: actions.go, "data-testid": "face-go" }, "Show"),
         actions.close ? element("button", { type: "button", click: actions.close, "data-testid": "face-close" }, "Clear") : null)),

@@ -5,7 +5,7 @@ import { add } from "../math/frame.ts";
 import { edge_lengths, hexahedron_count, kInverted, number_of } from "../scene/hexahedra.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { HexView } from "../view/hex_view.ts";
-import { counted, element, measured, plural } from "./dom.ts";
+import { coordinates, counted, element, measured, plural } from "./dom.ts";
 
 export const hexahedra_text = (count: number): string => plural(count, "hexahedron", "hexahedra");
 
@@ -34,7 +34,7 @@ export function show_hexahedron(panel: HTMLElement, hexahedron: HexDescription, 
   const length = unit ? ` ${unit}` : "";
   const facts: [string, string, string][] = [
     ["Scaled Jacobian", `${measured(scaled_jacobian)}${scaled_jacobian > kInverted ? "" : ", inverted"}`, "hexahedron-shape"],
-    ["Centre", center.map((value) => measured(value, 4)).join(", "), "hexahedron-center"],
+    ["Centre", coordinates(center), "hexahedron-center"],
     ["Edges", `${measured(edges.least)} to ${measured(edges.most)}${length}`, "hexahedron-edges"],
   ];
   panel.replaceChildren(

@@ -11,7 +11,7 @@ import type { Settings } from "../settings.ts";
 import type { Stage } from "../view/stage.ts";
 import { describe_element, show_cell, show_no_cell, title_of, type CellPanel } from "./cell_panel.ts";
 import { by_id } from "./dom.ts";
-import { face_block } from "./face_table.ts";
+import { face_block, noun_of } from "./face_table.ts";
 import { describe_hexahedron, hexahedron_title, show_hexahedron, type HexDescription } from "./hex_panel.ts";
 import type { Tabs } from "./tabs.ts";
 
@@ -72,7 +72,7 @@ export class PickedPanel {
     else this.panel.replaceChildren();
     if (face !== 0) {
       const alone = hexahedron < 0 && cell < 0;
-      if (alone) title = `Face ${face}`;
+      if (alone) title = `${noun_of(this.face(face).kind)} ${face}`;
       const block = face_block(this.face(face), this.report, unit, { go: () => this.actions.show_face(face), close: alone ? close : null });
       // Where a cell has much to say, the face that was clicked comes first.
       if (this.cell_panel) this.panel.prepend(block);

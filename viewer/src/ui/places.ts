@@ -5,7 +5,7 @@
 import { add, subtract, type Vector } from "../math/frame.ts";
 import type { Fault, FaultPart } from "../scene/faults.ts";
 import type { Report } from "../scene/report.ts";
-import { counted, element, measured, plural } from "./dom.ts";
+import { coordinates, counted, element, measured, plural } from "./dom.ts";
 import type { Place } from "./place.ts";
 
 /** Places of one kind, summed up in a few words. */
@@ -118,7 +118,7 @@ export function place_button(place: Place, origin: Vector, go: Go | null): HTMLE
 }
 
 /** Where a point of the scene is in the model. */
-export const at_point = (point: Vector, origin: Vector): string => `at ${add(point, origin).map((value) => measured(value)).join(", ")}`;
+export const at_point = (point: Vector, origin: Vector): string => `at ${coordinates(add(point, origin), 3)}`;
 
 /** The places that are worst, as buttons beneath an answer. */
 export function worst_buttons(places: Place[], origin: Vector, go: Go | null): HTMLElement | null {
