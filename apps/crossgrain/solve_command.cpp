@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "crossgrain/message.hpp"
 #include "crossgrain/model_summary.hpp"
 #include "crossgrain/page.hpp"
+#include "crossgrain/place.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/reading.hpp"
 #include "crossgrain/repair.hpp"
@@ -69,9 +71,12 @@ int exit_code_after(const SolveReport& report) {
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
-void print_warning(Warning warning, const SolveArguments& arguments) {
+/// Prints a warning, unless it is among those that were printed: what was said of the model before the work
+/// is in the report too.
+void print_warning(Warning warning, const SolveArguments& arguments, std::set<std::string>& printed) {
   if (warning.file.empty()) warning.file = arguments.model;
-  print_message("warning: " + line_of(warning, arguments));
+  const std::string line = line_of(warning, arguments);
+  if (printed.insert(line).second) print_message("warning: " + line);
 }
 
 TetMesh tets_of_file(const std::string& file, const Job& job) {
@@ -185,8 +190,7 @@ std::string obstacle_lines(const Answer& answer) {
   for (const Answer::Reason& reason : answer.reasons) {
     const bool is_of_surface = reason.kind == ReasonKind::kKnifeEdge || reason.kind == ReasonKind::kCorner;
     if (!is_of_surface || reason.verdict != Verdict::kNotMeshable) continue;
-    const auto& [x, y, z] = reason.place;
-    lines += fmt::format("obstacle   {} at {:.4g} {:.4g} {:.4g}", reason.text, x, y, z);
+    lines += fmt::format("obstacle   {} at {}", reason.text, words_of_place(reason.place));
     if (reason.count > 1) lines += fmt::format(" and at {}", counted(reason.count - 1, "other place"));
     lines += "; a repair of the field may change that\n";
   }
@@ -418,6 +422,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   const ThreadLimit thread_limit(arguments.options.threads);
   const auto reservation = reserve_output_folder(arguments);
   SolveReport report;
+  std::set<std::string> warned;
   {
     ProgressLines lines(arguments.progress, arguments.quiet);
     const auto expect = [&](Expectation expected) {
@@ -452,14 +457,14 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     const Interruption interruption(monitor, lines.is_moving());
     const auto warn = [&](const Warning& warning) {
       lines.end_line();
-      print_warning(warning, arguments);
+      print_warning(warning, arguments, warned);
     };
     const SolveOnGrid on_grid = together ? together : solve_alone;
     report = solve_and_write({arguments, on_grid, monitor, warn, tell, &lines, start}, reservation);
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)
-    if (is_always_printed(warning)) print_warning(warning, arguments);
+    if (is_always_printed(warning) && !is_said(warning, report)) print_warning(warning, arguments, warned);
   const bool is_short = report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex;
   if (arguments.quiet && is_short)
     print_message(arguments.model + ": " + line_of(*report.hexahedra, arguments));

@@ -9,6 +9,7 @@
 #include "base/stopwatch.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/finding.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/repair.hpp"
 #include "crossgrain/solve.hpp"
@@ -57,8 +58,14 @@ TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOption
                     const Monitor& monitor) {
   const ReadLimits limits(monitor, options.solve.max_memory_bytes);
   TetMesh mesh = make();
+  // Of parts that touch, the contacts of bodies below say more, or else the report.
+  const auto is_of_contact = [](const Warning& warning) {
+    return warning.kind == WarningKind::kSurfaceFinding &&
+           warning.text.starts_with(name_of(FindingKind::kTouchingComponents));
+  };
   if (warns && options.on_warning)
-    for (const Warning& warning : mesh.warnings) options.on_warning(warning);
+    for (const Warning& warning : mesh.warnings)
+      if (!is_of_contact(warning)) options.on_warning(warning);
   const TetDomain domain = prepared(TetDomain(std::move(mesh), options.tags), options);
   if (!warns || !options.on_warning) return domain;
   const std::vector<BodyContact> contacts = body_contacts(domain.data().solid);

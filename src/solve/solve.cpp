@@ -136,8 +136,15 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh,
   if (data.report.unfinished) warnings.push_back(unfinished_warning(data.report));
   if (data.report.limited) warnings.push_back(memory_warning(data.report));
   append(warnings, mesh.warnings);
+  // Solids that touch or overlap have a warning of their own, with their numbers.
+  const auto is_of_solids = [&](FindingKind kind) {
+    return !found.warnings.empty() && found.warnings.front().kind != WarningKind::kEmptySolids &&
+           (kind == FindingKind::kTouchingComponents || kind == FindingKind::kOverlappingComponents);
+  };
   for (const SolveReport::Finding& finding : data.report.input.findings)
-    warnings.emplace_back(WarningKind::kSurfaceFinding, sentence_of(finding));
+    if (!is_of_solids(finding.kind))
+      warnings.emplace_back(WarningKind::kSurfaceFinding,
+                            sentence_of(finding, longest_side(model.surface().box)));
   append(warnings, resolution_warnings(data.report, model.surface(), options));
   if (!solved.settled)
     warnings.emplace_back(WarningKind::kNotSettled, "the energy had not settled when the sweeps ran out",
