@@ -322,7 +322,8 @@ def options_of(include):
 def main():
     include, output = Path(sys.argv[1]), Path(sys.argv[2])
     output.mkdir(parents=True, exist_ok=True)
-    text = (include / "crossgrain" / "c.h").read_text(encoding="utf-8")
+    parts = sorted((include / "crossgrain").glob("c_*.h"))
+    text = "\n".join(path.read_text(encoding="utf-8") for path in parts)
     (output / "_interface.py").write_text("\n".join(interface_of(text, sys.argv[3])), encoding="utf-8")
     (output / "options.py").write_text("\n".join(options_of(include)), encoding="utf-8")
 

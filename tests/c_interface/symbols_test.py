@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The shared library of the C interface shows the functions that its header declares and nothing else.
+"""The shared library of the C interface shows the functions that its headers declare and nothing else.
 
-Usage: symbols_test.py HEADER SYMBOLS LIBRARY [--write]
+Usage: symbols_test.py FOLDER SYMBOLS LIBRARY [--write]
+
+FOLDER has the headers, c_*.h.
 
 SYMBOLS lists them, so that a change of the interface is seen in a review; --write writes it anew. A function that goes from there asks
 for another CROSSGRAIN_C_VERSION.
@@ -14,8 +16,9 @@ from pathlib import Path
 
 
 def main():
-    header, symbols, library = map(Path, sys.argv[1:4])
-    declared = set(re.findall(r"\b(crossgrain_\w+)\(", re.sub(r"/\*.*?\*/", "", header.read_text(encoding="utf-8"), flags=re.S)))
+    folder, symbols, library = map(Path, sys.argv[1:4])
+    text = "".join(path.read_text(encoding="utf-8") for path in folder.glob("c_*.h"))
+    declared = set(re.findall(r"\b(crossgrain_\w+)\(", re.sub(r"/\*.*?\*/", "", text, flags=re.S)))
     if "--write" in sys.argv:
         symbols.write_text("".join(f"{name}\n" for name in sorted(declared)), encoding="utf-8")
     listed = set(symbols.read_text(encoding="utf-8").split())
