@@ -136,6 +136,9 @@ class OfSolidsThatHexahedraDoNotFit(CheckTest):
         self.assertEqual(report["reasons"][0]["place"], [0, 0, 0.5])
         self.assertRegex(report["answer"], r"the edge of 30 degrees between patches \d+ and \d+ is too sharp")
         self.assertIn("fillet or a chamfer", report["answer"])
+        # The summary says how many patches there are, and where their numbers stand.
+        summary = self.run_here("solve", "part.stl", "-o", "out", "--resolution", "8", "--no-report").stdout
+        self.assertRegex(summary, r"(?m)^patches    5 between sharp edges, numbered in report.json .* render out --colour face$")
 
     def test_an_edge_of_45_degrees_is_undecided(self):
         report = self.answer(prism_stl([(0, 0), (2, 0), (2, 2)]))
