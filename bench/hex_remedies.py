@@ -4,7 +4,7 @@
 
     bench/hex_remedies.py --program build/release/apps/crossgrain/crossgrain --out OUT MODEL... [-- OPTIONS OF hex]
 
-Prints a table: what came out, what was to be tried, and what came of that.
+Prints a table: what came out, what was to be tried, and what came of that. OPTIONS are pairs of a word and its value.
 """
 
 import argparse
@@ -27,8 +27,14 @@ def result_of(program, model, folder, options):
     return json.loads((folder / "report.json").read_text(encoding="utf-8"))["hexahedra"], seconds
 
 
-def remedy_options(made):
-    return ["--tet-size", f"{made['remedy_number']:.6g}"] if made.get("remedy") == "use_edge_length" else None
+def remedy_options(made, options):
+    """The options of the first run with those of the remedy; none if it names no option."""
+    name = {"use_edge_length": "--tet-size", "use_hex_size": "--size"}.get(made.get("remedy"))
+    if name is None:
+        return None
+    others = {name, "--cells"} if name == "--size" else {name}
+    pairs = [(word, value) for word, value in zip(options[::2], options[1::2]) if word not in others]
+    return [word for pair in [*pairs, (name, f"{made['remedy_number']:.6g}")] for word in pair]
 
 
 def sizes_of(made):
@@ -50,10 +56,10 @@ def main():
     for model in arguments.models:
         made, seconds = result_of(arguments.program, model, arguments.out / f"{model.stem}.first", options)
         row = [model.stem, made.get("sentence", made["outcome"]), sizes_of(made), f"{seconds:.0f}"]
-        again = remedy_options(made)
+        again = remedy_options(made, options)
         if again:
-            then, then_seconds = result_of(arguments.program, model, arguments.out / f"{model.stem}.then", [*options, *again])
-            row += [" ".join(again), then.get("sentence", then["outcome"]), f"{then_seconds:.0f}"]
+            then, then_seconds = result_of(arguments.program, model, arguments.out / f"{model.stem}.then", again)
+            row += [" ".join(again[-2:]), then.get("sentence", then["outcome"]), f"{then_seconds:.0f}"]
         else:
             row += [made.get("next", ""), "", ""]
         print("| " + " | ".join(row) + " |", flush=True)

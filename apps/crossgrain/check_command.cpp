@@ -125,7 +125,13 @@ std::string hexahedra_line(const SolveReport& report) {
          sentence_of(hexahedra, words_of(hexahedra.remedy, hexahedra.remedy_number, Command::kHex)) + "\n";
 }
 
-std::string reasons_of(const Answer& answer) {
+/// What the field says where there are hexahedra, which say more than that some fit everywhere.
+std::string reasons_of(const SolveReport& report) {
+  const Answer& answer = report.answer;
+  if (report.hexahedra && answer.reasons.empty())
+    return report.hexahedra->outcome == HexOutcome::kAllHex
+               ? ""
+               : "field: hexahedra fit around each line and point of it, which was not enough\n";
   std::string text = line_of(answer, Command::kOther) + "\n";
   for (std::size_t k = 1; k < answer.reasons.size(); ++k) {
     Answer one{answer.reasons[k].verdict, {answer.reasons[k]}};
@@ -170,7 +176,7 @@ void run_check(const CheckArguments& arguments) {
   Graphs graphs;
   if (report.onto) graphs.push_back(report.onto->singularity);
   graphs.push_back(report.singularity);
-  std::string text = unfinished_line(report) + hexahedra_line(report) + reasons_of(report.answer) +
+  std::string text = unfinished_line(report) + hexahedra_line(report) + reasons_of(report) +
                      numbers_of(graphs, field.size()) + remarks_on(graphs.front());
   if (report.onto && report.onto->repair)
     text += "repaired: " + sentence_of(*report.onto->repair, report.onto->singularity) + "\n";

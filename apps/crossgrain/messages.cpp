@@ -66,6 +66,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kGiveTetSize, "set --tet-size", kFolders},
     {Remedy::kGiveCellSize, "set --cell-size", kSolve},
     {Remedy::kGiveHexSize, "set --size", kHex},
+    {Remedy::kUseHexSize, "try --size {}", kHex},
     {Remedy::kTakeLargerHexahedra, "raise --size, or lower --cells", kHex},
     {Remedy::kTakeSmallerHexahedra, "lower --size, or raise --cells", kHex},
     {Remedy::kAllowTetTime, "take larger tets with --size or --edges, or allow more time with --seconds",

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <utility>
+
 namespace crossgrain::app {
 namespace {
 
@@ -23,16 +25,29 @@ std::string json_line(const Progress& progress, double seconds) {
   json["phase"] = name_of(progress.phase);
   // What is not known is left out.
   if (progress.share >= 0) json["share"] = progress.share;
-  if (progress.level > 0) {
-    json["level"] = progress.level;
-    json["levels"] = progress.levels;
-  }
+  if (progress.level > 0) json["level"] = progress.level;
+  if (progress.levels > 0) json["levels"] = progress.levels;
   if (progress.cells > 0) json["cells"] = progress.cells;
   if (progress.attempt > 0) {
     json["attempt"] = progress.attempt;
-    json["attempts"] = progress.attempts;
-    json["best"] = {{"hexahedra", progress.hexahedra}, {"is_whole", progress.is_whole}};
+    json["tets"] = progress.tets;
+    json["most_tets"] = progress.most_tets;
   }
+  if (progress.hexahedra > 0)
+    json["best"] = {{"hexahedra", progress.hexahedra}, {"outcome", name_of(progress.outcome)}};
+  return line_of(json);
+}
+
+std::string json_line(const ModelSummary& model, double seconds) {
+  Json json = event("model", seconds);
+  json["bounding_box"] = {{"low", model.bounding_box.low}, {"high", model.bounding_box.high}};
+  for (const auto& [name, value] : {std::pair("unit", &model.unit), {"file_unit", &model.file_unit}})
+    if (!value->empty()) json[name] = *value;
+  for (const auto& [name, count] : {std::pair("triangles", model.triangles),
+                                    {"tets", model.tets},
+                                    {"faces", model.faces},
+                                    {"solids", model.solids}})
+    if (count > 0) json[name] = count;
   return line_of(json);
 }
 
@@ -55,11 +70,13 @@ std::string json_line(const HexExpectation& expected, double seconds) {
 std::string json_line(const HexAttemptEnd& end, double seconds) {
   Json json = event("attempt", seconds);
   json["attempt"] = end.attempt;
-  json["attempts"] = end.attempts;
+  json["tets"] = end.tets;
+  json["most_tets"] = end.most_tets;
   json["outcome"] = name_of(end.outcome);
   json["hexahedra"] = end.hexahedra;
   json["text"] = end.text;
   json["next"] = end.next;
+  json["over"] = end.over;
   json["attempt_seconds"] = end.seconds;
   return line_of(json);
 }

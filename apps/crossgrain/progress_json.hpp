@@ -11,6 +11,7 @@ namespace crossgrain::app {
 
 // Each returns a line with its end; `seconds` count from the start of the program.
 std::string json_line(const Progress& progress, double seconds);
+std::string json_line(const ModelSummary& model, double seconds);
 std::string json_line(const Expectation& expected, double seconds);
 std::string json_line(const HexExpectation& expected, double seconds);
 std::string json_line(const HexAttemptEnd& end, double seconds);

@@ -33,8 +33,14 @@ std::size_t room_on_line() {
   return terminal_width(STDERR_FILENO) - 1;
 }
 
+/// Returns "level 3 of 5", or "level 3" as long as their number is not known.
+std::string level_number(const Progress& progress) {
+  const std::string text = fmt::format("level {}", progress.level);
+  return progress.levels >= progress.level ? text + fmt::format(" of {}", progress.levels) : text;
+}
+
 std::string level_text(const Progress& progress, double seconds) {
-  std::string text = fmt::format("level {} of {}: ", progress.level, progress.levels);
+  std::string text = level_number(progress) + ": ";
   text += progress.cells == 0 ? "making cells" : cells_text(progress.cells);
   if (progress.sweep > 0 && std::isfinite(progress.energy))
     text += fmt::format(", energy {:.6g}", progress.energy);
@@ -82,19 +88,22 @@ bool is_of_attempt(const Progress& progress) {
 
 /// How far a stage is; empty if that is not known.
 std::string share_text(const Progress& progress) {
-  if (progress.level > 0) return fmt::format(", level {} of {}", progress.level, progress.levels);
+  if (progress.level > 0) return ", " + level_number(progress);
   if (progress.share > 0) return fmt::format(", {:.0f} % done", 100 * progress.share);
   return "";
 }
 
-std::string attempt_text(const Progress& progress, bool done, double seconds) {
-  std::string text =
-      fmt::format("attempt {} of {}: {}", progress.attempt, progress.attempts, stage_of(progress.phase));
-  if (!done) text += share_text(progress);
-  if (progress.hexahedra > 0)
-    text += fmt::format("; best so far {}{}", counted(progress.hexahedra, "hexahedron", "hexahedra"),
-                        progress.is_whole ? "" : ", a part");
-  return text + fmt::format("; {:.1f} s", seconds);
+std::string attempt_text(const Progress& progress) {
+  std::string text = fmt::format("attempt {}", progress.attempt);
+  if (progress.most_tets > 1)
+    text += fmt::format(", tets {} of at most {}", progress.tets, progress.most_tets);
+  return text + ": " + stage_of(progress.phase);
+}
+
+std::string best_text(const Progress& progress) {
+  if (progress.hexahedra == 0) return "";
+  return fmt::format("; best {}, {}", counted(progress.hexahedra, "hexahedron", "hexahedra"),
+                     name_of(progress.outcome));
 }
 
 /// Grid and frames of a level share one line.
@@ -178,13 +187,23 @@ void ProgressLines::expect(const HexExpectation& expected) {
   if (as_json_) tell_as_json(expected);
 }
 
+void ProgressLines::tell(const ModelSummary& model) {
+  const std::lock_guard lock(mutex_);
+  if (as_json_) return tell_as_json(model);
+  end(/*done=*/true);
+}
+
 void ProgressLines::end_attempt(const HexAttemptEnd& ended) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);
   if (as_json_) return tell_as_json(ended);
   end(/*done=*/true);
-  if (ended.next.empty()) return;
-  write(fmt::format("attempt {}: {}; trying {}\n", ended.attempt, ended.text, ended.next));
+  std::string text = ended.text;
+  if (text == ended_.text) text = fmt::format("as attempt {}", ended_.attempt);
+  if (!ended.next.empty()) text += "; trying " + ended.next;
+  if (!ended.over.empty()) text += "; " + ended.over;
+  write(fmt::format("attempt {}: {}\n", ended.attempt, text));
+  if (ended.text != ended_.text) ended_ = ended;
 }
 
 void ProgressLines::leave_line() {
@@ -200,17 +219,25 @@ void ProgressLines::end_line() {
 std::string ProgressLines::text(bool done) const {
   const auto now = Clock::now();
   const double of_line = seconds_of(now - begun_);
-  if (is_of_attempt(*current_)) {
-    // Of what goes on the time so far in all, of what is finished its own.
-    const std::string text = attempt_text(*current_, done, done ? of_line : seconds_of(now - start_));
-    return moving_ ? text.substr(0, room_on_line()) : text;
-  }
+  if (is_of_attempt(*current_)) return text_of_attempt(done, of_line, seconds_of(now - start_));
   std::string text = is_of_level(*current_) ? level_text(*current_, of_line) : phase_text(*current_);
   if (!done) {
     if (const auto left = remaining_.seconds(*current_, seconds_of(now - start_), of_line))
       text += fmt::format(", about {} left", duration_text(*left));
   }
   return moving_ ? text.substr(0, room_on_line()) : text;
+}
+
+/// The time of the whole run comes first, so that no narrow terminal loses it; what is least needed comes
+/// last, and only whole.
+std::string ProgressLines::text_of_attempt(bool done, double of_line, double of_run) const {
+  std::string text = fmt::format("{:5.1f} s  {}", of_run, attempt_text(*current_));
+  const std::string more[] = {done ? fmt::format(" took {:.1f} s", of_line) : share_text(*current_),
+                              best_text(*current_)};
+  if (!moving_) return text + more[0] + more[1];
+  for (const std::string& part : more)
+    if (text.size() + part.size() <= room_on_line()) text += part;
+  return text.substr(0, room_on_line());
 }
 
 void ProgressLines::rewrite() {

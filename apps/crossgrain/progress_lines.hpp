@@ -43,7 +43,10 @@ class ProgressLines {
   void expect(const Expectation& expected);
   void expect(const HexExpectation& expected);
 
-  /// Tells the end of an attempt at hexahedra, unless it is the end of the search, which the summary tells.
+  /// Tells of a model that was read: as JSON; otherwise the current line ends, so that it can be printed.
+  void tell(const ModelSummary& model);
+
+  /// Tells how an attempt at hexahedra ended, and what comes then.
   void end_attempt(const HexAttemptEnd& end);
 
   /// Leaves the current line as it is, so that other text can be printed. If lines are not rewritten in
@@ -59,6 +62,7 @@ class ProgressLines {
   template <class Event>
   void tell_as_json(const Event& event);
   std::string text(bool done) const;
+  std::string text_of_attempt(bool done, double of_line, double of_run) const;
   void rewrite();
   void end(bool done);
   void keep_moving();
@@ -69,6 +73,7 @@ class ProgressLines {
   const bool moving_;
   std::mutex mutex_;  ///< protects all members below
   std::optional<Progress> current_;
+  HexAttemptEnd ended_;  ///< the last attempt that ended in a way of its own
   Clock::time_point begun_{}, rewritten_{};
   RemainingTime remaining_;
   bool over_ = false;

@@ -259,8 +259,8 @@ struct Solved {
 
 /// The best mesh that there was at a stop, as the message about it says.
 std::string best_text(const HexReport& report) {
-  return fmt::format("the best mesh so far, {}{}", counted(report.hexahedra, "hexahedron", "hexahedra"),
-                     is_partial(report.outcome) ? ", a part of the model" : "");
+  return fmt::format("the best mesh so far, {}, {}", counted(report.hexahedra, "hexahedron", "hexahedra"),
+                     name_of(report.outcome));
 }
 
 std::shared_ptr<const Hexahedra> made_hexahedra(const Job& job, const HexMeshingOptions& options) {
@@ -446,7 +446,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     };
     const auto tell = [&](const char* what, const ModelSummary& model) {
       if (arguments.quiet) return;
-      lines.end_line();
+      lines.tell(model);
       print_result(row(what, sentence_of(model)));
     };
     bool has_model = false;

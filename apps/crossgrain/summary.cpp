@@ -110,7 +110,7 @@ std::string energy_row(const SolveReport& report) {
 std::string remedy_of(const HexReport& hexahedra, const SolveArguments& arguments) {
   const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
   if (hexahedra.remedy == Remedy::kSeparateSolids)
-    return can_glue ? "cut one from the other, or glue them with --glue" : "cut one from the other";
+    return can_glue ? "cut one from the other, or glue them with --glue" : words_of(hexahedra.remedy);
   if (hexahedra.remedy != Remedy::kGlueSolids)
     return words_of(hexahedra.remedy, hexahedra.remedy_number, Command::kHex);
   if (can_glue) return "glue them with --glue";
@@ -166,20 +166,8 @@ std::string fit_row(const HexReport& hexahedra) {
 
 /// Says which attempt made the mesh.
 std::string way_row(const HexReport& hexahedra) {
-  if (hexahedra.attempts.empty()) return "";
-  const HexAttempt& best = hexahedra.attempts[hexahedra.best_attempt];
-  // Making tets is no attempt at a mesh.
-  const auto first = hexahedra.attempts.begin();
-  const auto count_to = [&](std::size_t end) {
-    return std::count_if(first, first + static_cast<std::ptrdiff_t>(end),
-                         [](const HexAttempt& attempt) { return attempt.tet_size == 0; });
-  };
-  std::string text = fmt::format("attempt {} of {}: field on {}", count_to(hexahedra.best_attempt + 1),
-                                 count_to(hexahedra.attempts.size()), counted(best.tets, "tet"));
-  for (const HexAttempt& attempt : hexahedra.attempts)
-    if (attempt.tet_size > 0 && attempt.round == best.round && attempt.tets > 0)
-      text += fmt::format(" of {:.3g}", attempt.tet_size);
-  return row("way", text + ", repaired");
+  const std::string way = way_of(hexahedra);
+  return way.empty() ? "" : row("way", way);
 }
 
 /// What the map and the repair say, for whoever looks into a failure.
@@ -200,6 +188,21 @@ std::string files_row(const SolveReport& report, const SolveArguments& arguments
   for (std::string& name : names)
     if (name == kCellsFile && is_in_pieces(arguments.output)) name = kPiecesFile;
   return row("files", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
+}
+
+/// Names the files for solvers that a mesh with inverted hexahedra lacks, and how to get them.
+std::string missing_row(const SolveReport& report, const SolveArguments& arguments) {
+  const std::size_t inverted = report.hexahedra->quality.inverted;
+  if (inverted == 0 || arguments.output_options.inverted_hexahedra) return "";
+  OutputOptions with_all = arguments.output_options;
+  with_all.inverted_hexahedra = true;
+  const std::vector<std::string> written = result_files(arguments.output_options, report);
+  std::vector<std::string> missing;
+  for (const std::string& name : result_files(with_all, report))
+    if (std::ranges::find(written, name) == written.end()) missing.push_back(name);
+  return row("missing",
+             fmt::format("{}, for solvers, since {} inverted; --inverted writes them",
+                         fmt::join(missing, ", "), counted(inverted, "hexahedron is", "hexahedra are")));
 }
 
 /// Returns the options with which walls are resolved.
@@ -223,7 +226,7 @@ std::string advice_on(const Warning& warning, const SolveReport& report, const S
 std::string warning_rows(const SolveReport& report, const SolveArguments& arguments) {
   std::string text;
   for (const Warning& warning : report.warnings)
-    if (!is_of_reading(warning) && !is_always_printed(warning) && !is_said(warning, report))
+    if (!is_of_reading(warning) && !is_always_printed(warning))
       text += row("warning", advice_on(warning, report, arguments));
   return text;
 }
@@ -313,7 +316,9 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
   text += warning_rows(report, arguments);
   text += faces_row(text, report, arguments);
   if (arguments.verbose) text += detail_rows(report);
-  return text + files_row(report, arguments) + time_row(report);
+  text += files_row(report, arguments);
+  if (report.hexahedra) text += missing_row(report, arguments);
+  return text + time_row(report);
 }
 
 bool is_unsettled(const Warning& warning) {
@@ -330,6 +335,7 @@ bool is_of_reading(const Warning& warning) {
     case WarningKind::kCurvedTets:
     case WarningKind::kSkippedData:
     case WarningKind::kThinPart:
+    case WarningKind::kManyTets:
       return true;
     default:
       return false;

@@ -64,7 +64,7 @@ void run_tets(const TetsArguments& arguments) {
     Monitor monitor([&lines](const Progress& progress) { lines.show(progress); }, {},
                     [&](const ModelSummary& model) {
                       if (arguments.quiet) return;
-                      lines.end_line();
+                      lines.tell(model);
                       print_result(row("model", sentence_of(model)));
                     });
     const Interruption interruption(monitor, lines.is_moving());

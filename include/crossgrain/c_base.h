@@ -219,6 +219,14 @@ typedef enum crossgrain_phase {
   CROSSGRAIN_SMOOTHING = 10   /**< smooths them */
 } crossgrain_phase;
 
+/** What became of hexahedra (HexOutcome). The report says why it is not the first. */
+typedef enum crossgrain_hex_outcome {
+  CROSSGRAIN_ALL_HEX = 0,     /**< they fill the model as it asks for, and none is inverted */
+  CROSSGRAIN_FLAWED_HEX = 1,  /**< they fill the model, but some are inverted, or not as it asks for */
+  CROSSGRAIN_PARTIAL_HEX = 2, /**< some are left out */
+  CROSSGRAIN_NO_HEX = 3       /**< none were found */
+} crossgrain_hex_outcome;
+
 typedef struct crossgrain_progress {
   crossgrain_phase phase;
   int depth;     /**< octree depth of the level, 0 if there is none */
@@ -229,13 +237,14 @@ typedef struct crossgrain_progress {
   double energy; /**< energy after that sweep; NaN if not known */
   double share;  /**< of the phase, 0 to 1, that is done; negative if not known */
 
-  /** Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; how many there are
-      at most, as far as known; number of hexahedra of the best mesh so far, and whether they fill the model.
-   */
+  /** Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; number of its
+     tets, from 1, and of how many sizes tets are made at most; number of hexahedra of the best mesh so far,
+     and what it is. */
   size_t attempt;
-  size_t attempts;
+  size_t tets;
+  size_t most_tets;
   size_t hexahedra;
-  int is_whole;
+  crossgrain_hex_outcome outcome;
 } crossgrain_progress;
 
 /** Forecast for a whole solve, once, before its expensive levels; none for small ones. */

@@ -39,13 +39,7 @@ crossgrain_status crossgrain_tet_field_hexahedra(const crossgrain_tet_field* fie
                                                  crossgrain_monitor* monitor, crossgrain_hexahedra** out,
                                                  crossgrain_error** error);
 
-/** What became of the hexahedra (HexOutcome). */
-typedef enum crossgrain_hex_outcome {
-  CROSSGRAIN_ALL_HEX = 0,     /**< they fill the model as it asks for, and none is inverted */
-  CROSSGRAIN_FLAWED_HEX = 1,  /**< they fill the model, but are not what it asks for; the report says why */
-  CROSSGRAIN_PARTIAL_HEX = 2, /**< some are left out or inverted; the report says why */
-  CROSSGRAIN_NO_HEX = 3       /**< none were found */
-} crossgrain_hex_outcome;
+/** What became of the hexahedra. */
 crossgrain_hex_outcome crossgrain_hexahedra_outcome(const crossgrain_hexahedra* hexahedra);
 
 /** The outcome in one line. */

@@ -39,10 +39,10 @@ struct HexExpectation {
 struct HexMeshingOptions {
   HexOptions hexahedra;
 
-  /// How tets are made of a model that has none; `unit` is for a file of tets too. Without a size their edges
-  /// are 1.4 times those of the hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is
-  /// less. Where this first size, or the one given, makes more than 50,000 tets, four times the size comes
-  /// first. Their crease angle and limit of memory are their own: give those of `solve` too.
+  /// How tets are made of a model that has none; `unit` is for a file of tets too. A size that is given comes
+  /// first. Without one their edges are 1.4 times those of the hexahedra, or 1.4 times the longest side over
+  /// `tets.edges`, whichever is less; where these are more than 50,000 tets, four times the size is taken, or
+  /// eight, and so on. Their crease angle and limit of memory are their own: give those of `solve` too.
   TetMakingOptions tets;
 
   /// How tags of given tets are read.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/hex_outcome.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/types.hpp"
 
@@ -14,28 +15,14 @@ namespace crossgrain {
 /// \addtogroup hexahedra Hexahedra
 /// @{
 
-/// What became of the hexahedra.
-enum class HexOutcome : int {
-  kAllHex,   ///< they fill the model as it asks for, and none is inverted
-  kFlawed,   ///< they fill the model, but are not what it asks for: HexReport::reason
-  kPartial,  ///< some are left out or inverted: HexReport::reason
-  kNone      ///< none were found
-};
-
-/// Returns a name for files and scripts: "all-hex".
-const char* name_of(HexOutcome outcome);
-
-/// Whether there is no mesh of the whole model: files then bear "partial" (HexMesh::is_partial).
-inline bool is_partial(HexOutcome outcome) {
-  return outcome == HexOutcome::kPartial || outcome == HexOutcome::kNone;
-}
-
 /// One attempt of a search for hexahedra.
 struct HexAttempt {
   std::string kind;        ///< "tets", "repair", "part of the model", "smaller hexahedra"
+  std::size_t number = 0;  ///< of the attempt at a mesh, from 1, as Progress::attempt; 0 for other tets
   std::size_t round = 0;   ///< number of the tets and the field on them, from 0
   std::size_t tets = 0;    ///< of the field: after splits for the map
   double tet_size = 0;     ///< of "tets": largest edge that was asked for; 0 if they could not be made
+  double tet_edge = 0;     ///< of "tets": median of their edges, before splits
   double tet_seconds = 0;  ///< of "tets": for making them
 
   std::size_t repair = 0;  ///< number of the repair, from 0
@@ -64,7 +51,8 @@ struct HexReport {
   HexOutcome outcome = HexOutcome::kNone;
 
   /// Why it is not kAllHex: what is wrong with the part, with a place and the faces there if they are known;
-  /// and the same in terms of map and field.
+  /// and the same in terms of map and field. Of kAllHex what is wrong with it all the same: a volume far off
+  /// the model's, hexahedra that are badly shaped.
   std::string reason, detail;
   Remedy remedy = Remedy::kNone;  ///< what to try then; kNone if nothing is known to help
   double remedy_number = 0;       ///< if `has_number`
@@ -121,12 +109,16 @@ struct HexReport {
          analysis_seconds = 0;
 };
 
-/// Returns the report as a sentence: "all-hex: 1268 of 2", with their size and number beside those expected
-/// where they differ, shapes that are too poor to compute on, and reason and remedy unless it is kAllHex.
+/// Returns the report as a sentence: "all-hex: 1268 of 2", with reason and remedy, whether the search was
+/// stopped, and their size and number beside those expected where they differ.
 std::string sentence_of(const HexReport& report);
 
 /// Returns the sentence with other words for the remedy.
 std::string sentence_of(const HexReport& report, const std::string& remedy_words);
+
+/// Returns which attempt made the mesh: "attempt 2 of 5: field on 24310 tets of 1.75, repaired"; empty
+/// without attempts.
+std::string way_of(const HexReport& report);
 
 /// Returns shapes in words: "scaled Jacobian 0.71 at 3.2 0.1 4, 0.93 in the mean".
 std::string shapes_of(const HexReport::Quality& quality);

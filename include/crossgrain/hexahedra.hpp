@@ -28,11 +28,12 @@ struct HexOptions {
 
 /// How an attempt at a mesh ended.
 struct HexAttemptEnd {
-  std::size_t attempt = 0, attempts = 0;  ///< as Progress
+  std::size_t attempt = 0, tets = 0, most_tets = 0;  ///< as Progress
   HexOutcome outcome = HexOutcome::kNone;
   std::size_t hexahedra = 0;
-  std::string text;    ///< such as "no map: 2 singular arcs would have no length, ... at 1 2 3"
+  std::string text;    ///< such as "layers of hexahedra are folded at 1 2 3, near face 4"
   std::string next;    ///< what is tried next, such as "tets of 2.1"; empty if nothing is
+  std::string over;    ///< why nothing is, unless the mesh is good
   double seconds = 0;  ///< that it took
 };
 

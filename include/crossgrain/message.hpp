@@ -84,6 +84,7 @@ enum class Remedy : int {
 
   // Hexahedra that are made.
   kGiveHexSize,  ///< another HexOptions::size
+  kUseHexSize,   ///< HexOptions::size; with a number
   kTakeLargerHexahedra,
   kTakeSmallerHexahedra,
 
@@ -125,7 +126,8 @@ const char* words_of(Remedy remedy);
 
 /// Whether a remedy needs a number to say what to do.
 inline bool has_number(Remedy remedy) {
-  return remedy == Remedy::kUseResolution || remedy == Remedy::kUseEdgeLength;
+  return remedy == Remedy::kUseResolution || remedy == Remedy::kUseEdgeLength ||
+         remedy == Remedy::kUseHexSize;
 }
 
 /// Returns a remedy in words, with its number if it has one: "use a resolution of 128".

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "crossgrain/hex_outcome.hpp"
 #include "crossgrain/model_summary.hpp"
 #include "crossgrain/statistics.hpp"
 
@@ -49,11 +50,11 @@ struct Progress {
 
   double share = -1;  ///< of the phase, from 0 to 1, that is done; negative if it is not known
 
-  /// Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; how many there are
-  /// at most, as far as that is known by now; number of hexahedra of the best mesh so far, and whether they
-  /// fill the model.
-  std::size_t attempt = 0, attempts = 0, hexahedra = 0;
-  bool is_whole = false;
+  /// Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; number of its
+  /// tets, from 1, and of how many sizes tets are made at most; number of hexahedra of the best mesh so far,
+  /// and what it is.
+  std::size_t attempt = 0, tets = 0, most_tets = 0, hexahedra = 0;
+  HexOutcome outcome = HexOutcome::kNone;
 };
 
 /// Carries cancellation into a computation and progress out of it.

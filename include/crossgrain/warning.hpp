@@ -27,6 +27,7 @@ enum class WarningKind : int {
 
   // Hexahedra that are made.
   kThinPart,  ///< few fit across most of the model
+  kManyTets,  ///< tets of the size that is given are many
 
   // Tets.
   kRepeatedTets,      ///< duplicates, left out

@@ -19,6 +19,7 @@ class Progress:
 
     PHASES = ("read", "grid", "solve", "analysis", "tets", "write", "make tets", "repair", "map", "hexahedra",
               "smooth")
+    OUTCOMES = ("all-hex", "flawed", "partial", "none")  # HexOutcome
 
     def __init__(self, content: Any):
         self.phase: str = self.PHASES[content.phase]
@@ -30,12 +31,14 @@ class Progress:
         self.energy: float = content.energy
         # What is done of the phase, from 0 to 1; negative if it is not known.
         self.share: float = content.share
-        # Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; how many there
-        # are at most, as far as known; hexahedra of the best mesh so far, and whether they fill the model.
+        # Of a search for hexahedra: number of the attempt at a mesh, from 1, 0 outside of one; number of its
+        # tets, from 1, and of how many sizes tets are made at most; hexahedra of the best mesh so far, and
+        # what it is.
         self.attempt: int = content.attempt
-        self.attempts: int = content.attempts
+        self.tets: int = content.tets
+        self.most_tets: int = content.most_tets
         self.hexahedra: int = content.hexahedra
-        self.is_whole: bool = bool(content.is_whole)
+        self.outcome: str = self.OUTCOMES[content.outcome]
 
     def __repr__(self) -> str:
         return (f"Progress({self.phase!r}, level={self.level}/{self.levels}, sweep={self.sweep}, "

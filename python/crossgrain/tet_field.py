@@ -15,7 +15,7 @@ from . import _arrays
 from ._library import Handle, array_view, call, frozen, library, made, path_bytes, text_from, view
 from ._options import handle_of, unless_none, with_changes
 from ._progress import ProgressOption, listener
-from ._watched import watched
+from ._watched import Progress, watched
 from .errors import UsageError
 from .field import Field, _AnyField
 from .matchings import Matchings
@@ -24,7 +24,6 @@ from .options import HexOptions, OutputOptions, RepairOptions, StreamlineOptions
 from .streamlines import Streamlines, traced
 from .vtk_data import grid_of
 
-OUTCOMES = ("all-hex", "flawed", "partial", "none")
 """Values of ``HexMesh.outcome``."""
 
 
@@ -185,8 +184,9 @@ class HexMesh:
     @property
     def outcome(self) -> str:
         """``"all-hex"``: they fill the model as it asks for, and none is inverted; ``"flawed"``: they fill
-        it, but are not what it asks for; ``"partial"``: some are left out or inverted; ``"none"``."""
-        return OUTCOMES[library.crossgrain_hexahedra_outcome(self._handle)]
+        it, but some are inverted, or they are not what it asks for; ``"partial"``: some are left out;
+        ``"none"``."""
+        return Progress.OUTCOMES[library.crossgrain_hexahedra_outcome(self._handle)]
 
     @property
     def is_all_hex(self) -> bool:
@@ -195,7 +195,8 @@ class HexMesh:
 
     @property
     def reason(self) -> str:
-        """Why it is not all-hex, with a place, and what to try; empty if it is."""
+        """Why it is not all-hex, or what is wrong all the same (a volume far off, bad shapes), with a place
+        and what to try; empty if nothing is."""
         its_report = self.report["hexahedra"]
         return "; ".join(filter(None, [its_report.get("reason", ""), its_report.get("next", "")]))
 

@@ -64,7 +64,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kRemoveOverlaps, "remove_overlaps", "remove the tets that overlap others"},
     {Remedy::kMergeVertices, "merge_vertices", "merge equal vertices to join the parts"},
     {Remedy::kGlueSolids, "glue_solids", "glue the solids, in the mesher if it is a mesh"},
-    {Remedy::kSeparateSolids, "separate_solids", "cut one from the other"},
+    {Remedy::kSeparateSolids, "separate_solids", "cut one from the other, or glue them"},
     {Remedy::kSplitTets, "split_tets", "split the tets around it"},
     {Remedy::kKeepTags, "keep_tags", "keep all tags to follow them"},
     {Remedy::kGiveSolvedSurface, "give_solved_surface", "give the one that the field was solved for"},
@@ -78,6 +78,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kFreeTemporarySpace, "free_temporary_space",
      "free some space there, or name another folder in TMPDIR"},
     {Remedy::kGiveHexSize, "give_hex_size", "give another size of hexahedra"},
+    {Remedy::kUseHexSize, "use_hex_size", "use hexahedra of another size"},
     {Remedy::kTakeLargerHexahedra, "take_larger_hexahedra", "take larger hexahedra"},
     {Remedy::kTakeSmallerHexahedra, "take_smaller_hexahedra", "take smaller hexahedra"},
     {Remedy::kRaiseResolution, "raise_resolution", "raise the resolution, or take smaller cells"},
@@ -134,6 +135,7 @@ const char* words_of(Remedy remedy) {
 std::string words_of(Remedy remedy, double number) {
   if (remedy == Remedy::kUseResolution) return fmt::format("use a resolution of {:.0f}", number);
   if (remedy == Remedy::kUseEdgeLength) return fmt::format("take tets with edges of {:.3g}", number);
+  if (remedy == Remedy::kUseHexSize) return fmt::format("use hexahedra of {:.3g}", number);
   return words_of(remedy);
 }
 

@@ -20,9 +20,10 @@ crossgrain_progress passed_on(const Progress& progress) {
   result.energy = progress.energy;
   result.share = progress.share;
   result.attempt = progress.attempt;
-  result.attempts = progress.attempts;
+  result.tets = progress.tets;
+  result.most_tets = progress.most_tets;
   result.hexahedra = progress.hexahedra;
-  result.is_whole = progress.is_whole ? 1 : 0;
+  result.outcome = static_cast<crossgrain_hex_outcome>(progress.outcome);
   return result;
 }
 

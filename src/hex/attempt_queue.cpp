@@ -12,6 +12,10 @@
 
 namespace crossgrain {
 
+std::size_t AttemptKind::round(const AttemptQueue& queue) const {
+  return queue.rounds() == 0 ? 0 : queue.rounds() - 1;
+}
+
 AttemptQueue::AttemptQueue(double most_work, double least_quality, const Monitor& monitor)
     : most_work_(most_work),
       least_quality_(least_quality),
@@ -20,35 +24,47 @@ AttemptQueue::AttemptQueue(double most_work, double least_quality, const Monitor
 
 void AttemptQueue::tell_more(Progress& progress) const {
   progress.attempt = at_meshes_ + 1;
-  progress.attempts = std::max(expected_, progress.attempt);
+  progress.tets = round_ + 1;
+  progress.most_tets = std::max(most_rounds_, round_ + 1);
   if (!has_mesh()) return;
   progress.hexahedra = best_->made->mesh.hexahedra.size();
-  progress.is_whole = best_->made->are_complete();
+  progress.outcome = best_->made->outcome();
 }
 
 void AttemptQueue::run() {
   AttemptKind* next = due();
   while (next != nullptr) {
-    expected_ = at_meshes_ + most_attempts();
+    round_ = next->round(*this);
+    most_rounds_ = most_rounds();
     make(*next);
     next = is_done() || is_stopped_ ? nullptr : due();
     tell_ends(next);
   }
 }
 
-std::size_t AttemptQueue::most_attempts() const {
-  std::size_t most = 0;
-  for (const auto& kind : kinds_) most += kind->left(*this);
-  return most;
+std::size_t AttemptQueue::most_rounds() const {
+  std::size_t most = rounds_;
+  for (const auto& kind : kinds_) most += kind->rounds_left(*this);
+  return std::max(most, round_ + 1);
+}
+
+std::string AttemptQueue::why_over() const {
+  if (is_done()) return "";
+  if (is_stopped_) return "the search was stopped";
+  return is_exhausted() ? "the work of a search is done" : "nothing else is left to try";
 }
 
 void AttemptQueue::tell_ends(const AttemptKind* next) {
   if (on_end_ && !ends_.empty()) {
-    if (next != nullptr) ends_.back().next = next->plan(*this);
+    if (next != nullptr)
+      ends_.back().next = next->plan(*this);
+    else
+      ends_.back().over = why_over();
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       HexAttemptEnd& end = ends_[k];
       if (k + 1 < ends_.size()) end.next = fmt::format("attempt {}, made at the same time", end.attempt + 1);
-      end.attempts = at_meshes_ + (next != nullptr ? most_attempts() : 0);
+      end.tets = round_ + 1;
+      end.most_tets = most_rounds();
       on_end_(end);
     }
   }
@@ -56,12 +72,11 @@ void AttemptQueue::tell_ends(const AttemptKind* next) {
 }
 
 AttemptKind* AttemptQueue::due() const {
-  const bool is_exhausted = work_ >= most_work_ && best_;
-  if (is_exhausted && has_mesh()) return nullptr;
+  if (is_exhausted() && has_mesh()) return nullptr;
   AttemptKind* first = nullptr;
   std::optional<Turn> least;
   for (const auto& kind : kinds_) {
-    if (is_exhausted && !kind->is_last_resort()) continue;
+    if (is_exhausted() && !kind->is_last_resort()) continue;
     const std::optional<Turn> turn = kind->next(*this);
     if (!turn || (least && !(*turn < *least))) continue;
     first = kind.get();
@@ -99,9 +114,10 @@ void AttemptQueue::add_failure(const AttemptKind& kind, const Error& error, doub
   add_end(failed, error.text());
 }
 
-void AttemptQueue::add_end(const HexAttempt& attempt, std::string text) {
+void AttemptQueue::add_end(HexAttempt& attempt, std::string text) {
+  attempt.number = ++at_meshes_;
   HexAttemptEnd& end = ends_.emplace_back();
-  end.attempt = ++at_meshes_;
+  end.attempt = attempt.number;
   end.outcome = attempt.outcome;
   end.hexahedra = attempt.hexahedra;
   end.text = std::move(text);
@@ -111,8 +127,7 @@ void AttemptQueue::add_end(const HexAttempt& attempt, std::string text) {
 void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   HexAttempt& attempt = candidate.attempt;
   attempt.kind = kind.name();
-  if (candidate.made && !candidate.made->mesh.hexahedra.empty())
-    attempt.outcome = candidate.made->are_complete() ? HexOutcome::kAllHex : HexOutcome::kPartial;
+  if (candidate.made) attempt.outcome = candidate.made->outcome();
   const HexSeconds& seconds = candidate.seconds;
   seconds_.repair += seconds.repair;
   seconds_.map += seconds.map;
@@ -120,8 +135,8 @@ void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   seconds_.smoothing += seconds.smoothing;
   if (attempt.seconds == 0) attempt.seconds = seconds.sum();
   candidate.number = attempts_.size();
-  attempts_.push_back(attempt);
   if (kind.makes_meshes()) add_end(attempt, end_of(candidate, least_quality_));
+  attempts_.push_back(attempt);
   if (candidate.made || candidate.followed)
     keep_if_better(std::make_shared<const HexCandidate>(std::move(candidate)));
 }

@@ -48,8 +48,11 @@ class AttemptKind : public Interface {
   /// What the next attempt tries, for the user: "tets of 2.1".
   virtual std::string plan(const AttemptQueue& queue) const = 0;
 
-  /// How many attempts at a mesh may still come, as far as that is known.
-  virtual std::size_t left(const AttemptQueue& queue) const = 0;
+  /// Number of the round of the next attempt, from 0.
+  virtual std::size_t round(const AttemptQueue& queue) const;
+
+  /// How many further rounds its attempts begin at most.
+  virtual std::size_t rounds_left(const AttemptQueue&) const { return 0; }
 
   /// Whether its attempts are at meshes, not only at what others start from.
   virtual bool makes_meshes() const { return true; }
@@ -123,10 +126,12 @@ class AttemptQueue {
   void make(AttemptKind& kind);
   void add(const AttemptKind& kind, HexCandidate candidate);
   void add_failure(const AttemptKind& kind, const Error& error, double seconds);
-  void add_end(const HexAttempt& attempt, std::string text);
+  void add_end(HexAttempt& attempt, std::string text);
   void tell_ends(const AttemptKind* next);
+  std::string why_over() const;
   bool is_ended_by_stop();
-  std::size_t most_attempts() const;
+  bool is_exhausted() const { return work_ >= most_work_ && best_; }
+  std::size_t most_rounds() const;
   void keep_if_better(const std::shared_ptr<const HexCandidate>& candidate);
   bool has_mesh() const { return best_ && best_->made; }
   bool is_done() const { return best_ && is_good(*best_, least_quality_); }
@@ -136,8 +141,9 @@ class AttemptQueue {
   bool may_be_stopped_, is_stopped_ = false;
   Monitor monitor_;
   std::function<void(const HexAttemptEnd&)> on_end_;
-  std::size_t at_meshes_ = 0;  ///< attempts that were made
-  std::size_t expected_ = 0;   ///< attempts at meshes in all
+  std::size_t at_meshes_ = 0;    ///< attempts that were made
+  std::size_t round_ = 0;        ///< of the attempt that is being made
+  std::size_t most_rounds_ = 0;  ///< before that attempt
   double expected_hexahedra_ = 0;
   std::vector<HexAttemptEnd> ends_;  ///< that are not told yet
   std::vector<std::unique_ptr<AttemptKind>> kinds_;

@@ -22,7 +22,7 @@ bool is_better_in_round(const HexCandidate& candidate, const HexCandidate& other
 bool is_better(const HexCandidate& candidate, const HexCandidate& other, double least_quality) {
   const auto rank = [&](const HexCandidate& of) {
     return std::tuple(!is_good(of, least_quality), !(of.made && of.made->are_complete()),
-                      of.made ? of.made->volume_missed : 1);
+                      !(of.made && of.made->fills), of.made ? of.made->volume_missed : 1);
   };
   return rank(candidate) < rank(other);
 }

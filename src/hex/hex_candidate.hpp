@@ -21,6 +21,12 @@ struct MadeHexahedra {
   std::size_t left_out = 0;  ///< cells of the grid
 
   bool are_complete() const { return fills && quality.inverted == 0; }
+
+  HexOutcome outcome() const {
+    if (mesh.hexahedra.empty()) return HexOutcome::kNone;
+    if (!fills) return HexOutcome::kPartial;
+    return are_complete() ? HexOutcome::kAllHex : HexOutcome::kFlawed;
+  }
 };
 
 class FollowedField;
@@ -53,7 +59,7 @@ struct HexCandidate {
 bool is_better_in_round(const HexCandidate& candidate, const HexCandidate& other, double least_quality);
 
 /// Whether a candidate is worth more than another of an earlier round: first one that is good; then one that
-/// is complete; then the one that misses less of the volume.
+/// is complete; then one that closes up; then the one that misses less of the volume.
 bool is_better(const HexCandidate& candidate, const HexCandidate& other, double least_quality);
 
 /// Whether nothing better is looked for.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,15 +16,13 @@
 #include "crossgrain/place.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/model_fit.hpp"
+#include "hex/untried_tets.hpp"
 #include "measure/fault_words.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// Tets to try next, in the least size that was tried.
-constexpr double kNextTets = 1.1;
 
 std::vector<Vector3> places_of_faults(const SolveReport::Singularity& graph) {
   std::vector<Vector3> places;
@@ -50,6 +49,18 @@ std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<do
     for (const std::uint32_t v : solid.mesh.tets[t]) centre += 0.25 * solid.mesh.vertices[v];
     places.push_back(centre);
   }
+  return places;
+}
+
+/// Centres of inverted hexahedra, the worst first.
+std::vector<Vector3> places_of_inverted(const HexMesh& mesh) {
+  const std::vector<double> shapes = scaled_jacobians(mesh);
+  std::vector<std::pair<double, std::size_t>> inverted;
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    if (is_inverted(shapes[k])) inverted.emplace_back(shapes[k], k);
+  std::sort(inverted.begin(), inverted.end());
+  std::vector<Vector3> places;
+  for (const auto& [shape, k] : inverted) places.push_back(centre_of(mesh, k));
   return places;
 }
 
@@ -91,6 +102,13 @@ Explanation first_fault(const SolveReport::Singularity& graph, const FaceNoun& n
 
 Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
   const HexAttempt& attempt = best.attempt;
+  if (report.outcome == HexOutcome::kFlawed)
+    return {
+        fmt::format("they fill the model, but {} turned inside out",
+                    report.quality.inverted == 1 ? "one is" : fmt::format("{} are", report.quality.inverted)),
+        fmt::format("{} inverted after smoothing",
+                    counted(report.quality.inverted, "hexahedron", "hexahedra")),
+        Remedy::kUseEdgeLength, places_of_inverted(best.made->mesh)};
   if (attempt.faults > 0) {
     const SolveReport& field = best.followed->field().report();
     Explanation fault = first_fault(field.onto->singularity, noun_of(field.faces));
@@ -116,12 +134,14 @@ Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
         "hexahedra would overlap, or lack a corner",
         fmt::format("{} of the grid, covered more than once or without a corner", counted(left_out, "cell")),
         Remedy::kUseEdgeLength};
-  if (const std::size_t inverted = report.quality.inverted; inverted > 0)
-    return {fmt::format("{} turned inside out", counted(inverted, "hexahedron is", "hexahedra are")),
-            "",
-            Remedy::kUseEdgeLength,
-            {report.quality.worst_place}};
   return {"hexahedra leave gaps, or cut off parts of the model", "", Remedy::kUseEdgeLength};
+}
+
+/// Suggests tets of another size, if there is one to try.
+void suggest_tets(const std::vector<HexAttempt>& attempts, HexReport& report) {
+  const std::optional<double> size = untried_tet_size(attempts);
+  report.remedy = size ? Remedy::kUseEdgeLength : Remedy::kNone;
+  report.remedy_number = size.value_or(0);
 }
 
 /// Numbers of the faces of the model within a distance of a place, of a nearest one at least.
@@ -179,15 +199,6 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
   return quality;
 }
 
-double untried_tet_size(const std::vector<HexAttempt>& attempts) {
-  double least = 0;
-  for (const HexAttempt& attempt : attempts)
-    if (attempt.tet_size > 0 && (least == 0 || attempt.tet_size < least)) least = attempt.tet_size;
-  if (least == 0) return 0;
-  const double size = kNextTets * least, unit = std::pow(10, std::floor(std::log10(size)) - 2);
-  return unit * std::round(size / unit);
-}
-
 void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
   report.hexahedra = mesh.hexahedra.size();
   report.vertices = mesh.vertices.size();
@@ -202,6 +213,22 @@ void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
   measure_fit(mesh, model, report);
 }
 
+void explain_poor(const HexMesh& mesh, const std::vector<HexAttempt>& attempts, double least_quality,
+                  HexReport& report) {
+  const std::optional<double> size = size_for_volume(report, mesh.boundary.size());
+  if (size) {
+    report.reason = words_of_volume(report);
+    report.remedy = Remedy::kUseHexSize;
+    report.remedy_number = *size;
+  }
+  if (report.quality.least >= least_quality) return;
+  report.reason += fmt::format("{}badly shaped (worst scaled Jacobian {:.2g} at {})",
+                               report.reason.empty() ? "" : ", and ", report.quality.least,
+                               words_of_place(report.quality.worst_place));
+  report.places = {report.quality.worst_place};
+  if (!size) suggest_tets(attempts, report);
+}
+
 void explain(const HexCandidate& best, const std::vector<HexAttempt>& attempts, HexReport& report) {
   report.reason.clear();
   if (report.outcome == HexOutcome::kAllHex) return;
@@ -211,9 +238,7 @@ void explain(const HexCandidate& best, const std::vector<HexAttempt>& attempts, 
   report.reason = why.reason + words_of_places(report.places, best, !why.has_faces);
   report.detail = why.detail;
   report.remedy = why.remedy;
-  if (report.remedy != Remedy::kUseEdgeLength) return;
-  report.remedy_number = untried_tet_size(attempts);
-  if (report.remedy_number == 0) report.remedy = Remedy::kNone;
+  if (report.remedy == Remedy::kUseEdgeLength) suggest_tets(attempts, report);
 }
 
 std::string end_of(const HexCandidate& candidate, double least_quality) {

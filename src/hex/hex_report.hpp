@@ -16,13 +16,14 @@ HexReport::Quality quality_of(const HexMesh& mesh);
 /// scaled Jacobians, valences. The mesh has its boundary.
 void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report);
 
-/// Returns a size of tets to try next, of three digits; neither it nor the sizes that follow it
-/// (MeshingTuning::tet_shares) were tried. 0 if no tets were made.
-double untried_tet_size(const std::vector<HexAttempt>& attempts);
-
 /// Fills in the reason why a result is not whole, the places and what to try, unless it is, from all
 /// attempts. The report has its outcome and quality.
 void explain(const HexCandidate& best, const std::vector<HexAttempt>& attempts, HexReport& report);
+
+/// Fills in what is wrong with a result that is kAllHex all the same, if anything is: a volume far off the
+/// model's; scaled Jacobians below the least.
+void explain_poor(const HexMesh& mesh, const std::vector<HexAttempt>& attempts, double least_quality,
+                  HexReport& report);
 
 /// Returns how an attempt ended, in a line: "no map: ...", or "1268 hexahedra fill the model".
 std::string end_of(const HexCandidate& candidate, double least_quality);

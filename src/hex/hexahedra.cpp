@@ -84,7 +84,11 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
   explain(best, queue.attempts(), report);
   SolveReport whole = field.report();
-  judge_solids(mesh, followed.solid(), whole.onto->united, report, whole.warnings);
+  judge_solids(mesh, followed.solid(), report, whole);
+  if (report.outcome == HexOutcome::kAllHex)
+    explain_poor(mesh, queue.attempts(), queue.least_quality(), report);
+  const bool is_up_to_solids = report.outcome == HexOutcome::kFlawed && best.made->are_complete();
+  if (queue.is_stopped() && !is_up_to_solids) report.remedy = Remedy::kLetFinish;
   report.attempts = queue.attempts();
   report.best_attempt = queue.best_attempt();
   report.is_stopped = queue.is_stopped();

@@ -31,6 +31,9 @@ namespace {
 /// sizes in thickness loses 20 %, a rod of one 37 %.
 constexpr double kPoorVolume = 0.05, kPoorDistance = 0.5;
 
+/// What a size is suggested for: less than kPoorVolume, since a whole number of hexahedra fits around a hole.
+constexpr double kAimedVolume = 0.04;
+
 /// Faces that a warning names.
 constexpr std::size_t kMostNamed = 5;
 
@@ -121,6 +124,10 @@ const char* words_of(FaceKind kind) {
   return kWords.at(static_cast<std::size_t>(kind));
 }
 
+double volume_missed(const HexReport& report) {
+  return report.hexahedra == 0 || report.model_volume <= 0 ? 0 : report.volume / report.model_volume - 1;
+}
+
 }  // namespace
 
 Farthest farthest_from(const HexMesh& mesh, const std::vector<Vector3>& points) {
@@ -206,14 +213,29 @@ std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, 
   return Warning(WarningKind::kFacesWithoutQuads, std::move(text), Remedy::kTakeSmallerHexahedra);
 }
 
+std::string words_of_volume(const HexReport& report) {
+  const double missed = volume_missed(report);
+  return fmt::format("its volume is {:.2g} % {} the model's", 100 * std::abs(missed),
+                     missed < 0 ? "below" : "above");
+}
+
+std::optional<double> size_for_volume(const HexReport& report, std::size_t quads) {
+  const double missed = std::abs(volume_missed(report));
+  if (missed <= kPoorVolume) return std::nullopt;
+  const double edge = std::min(report.used_size, std::sqrt(report.area / static_cast<double>(quads)));
+  const double size = edge * std::sqrt(kAimedVolume / missed);
+  const double unit = std::pow(10, std::floor(std::log10(size)) - 1);
+  return unit * std::floor(size / unit);
+}
+
 std::optional<Warning> poor_fit(const HexReport& report) {
   if (report.hexahedra == 0 || report.model_volume <= 0) return std::nullopt;
-  const double missed = report.volume / report.model_volume - 1;
+  const double missed = volume_missed(report);
   const bool is_off = report.largest_distance > report.largest_distance_of_model;
   const double distance = is_off ? report.largest_distance : report.largest_distance_of_model;
   const Vector3& at = is_off ? report.largest_distance_place : report.largest_distance_of_model_place;
   std::vector<std::string> faults;
-  if (std::abs(missed) > kPoorVolume)
+  if (std::abs(missed) > kPoorVolume && report.outcome != HexOutcome::kAllHex)
     faults.push_back(fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
                                  missed < 0 ? "less" : "more"));
   if (distance > kPoorDistance * report.used_size)

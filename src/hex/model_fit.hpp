@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "crossgrain/hex_mesh.hpp"
@@ -37,7 +38,16 @@ void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces);
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
                                            double size);
 
-/// A warning with the figures if hexahedra miss much of the volume, or are far from the surface.
+/// Returns how far the volume of hexahedra is off the model's: "its volume is 22 % below the model's".
+std::string words_of_volume(const HexReport& report);
+
+/// Returns a size of hexahedra, of two digits, with which their volume would be near the model's; none if it
+/// is so already. What straight edges cut off curved surfaces falls with the square of their length; `quads`
+/// is the number of faces on the boundary, whose edges may be shorter than the size.
+std::optional<double> size_for_volume(const HexReport& report, std::size_t quads);
+
+/// A warning with the figures if hexahedra are far from the surface, or miss much of the volume and the
+/// report does not say so (explain_poor).
 std::optional<Warning> poor_fit(const HexReport& report);
 
 }  // namespace crossgrain

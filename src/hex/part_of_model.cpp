@@ -22,7 +22,6 @@ class PartOfModel : public AttemptKind {
   }
 
   std::string plan(const AttemptQueue&) const override { return "a part of the model"; }
-  std::size_t left(const AttemptQueue& queue) const override { return next(queue) ? 1 : 0; }
 
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
     rounds_ = queue.rounds();

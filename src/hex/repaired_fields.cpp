@@ -36,19 +36,11 @@ class RepairedFields : public AttemptKind {
   const char* name() const override { return "repair"; }
 
   std::optional<Turn> next(const AttemptQueue& queue) const override {
-    if (left(queue) == 0) return std::nullopt;
+    if (!queue.start() || !may_have_more(queue)) return std::nullopt;
     return Turn{queue.rounds() - 1, Turn::Step::kRepair};
   }
 
   std::string plan(const AttemptQueue&) const override { return "another repair of the field"; }
-
-  std::size_t left(const AttemptQueue& queue) const override {
-    if (!queue.start()) return 0;
-    if (rounds_ != queue.rounds()) return 1;
-    const auto of_stage = static_cast<std::size_t>(
-        std::count_if(left_.begin(), left_.end(), [&](const RepairTry* one) { return !is_taken(*one); }));
-    return of_stage > 0 ? of_stage : static_cast<std::size_t>(has_later_stage());
-  }
 
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
     const StartingField& start = *queue.start();
@@ -86,6 +78,13 @@ class RepairedFields : public AttemptKind {
   void end() {
     stage_ = Stage::kEnd;
     left_.clear();
+  }
+
+  /// Whether the round may have another attempt.
+  bool may_have_more(const AttemptQueue& queue) const {
+    if (rounds_ != queue.rounds()) return true;
+    return has_later_stage() ||
+           std::any_of(left_.begin(), left_.end(), [&](const RepairTry* one) { return !is_taken(*one); });
   }
 
   bool is_taken(const RepairTry& one) const {

@@ -39,10 +39,7 @@ class SmallerHexahedra : public AttemptKind {
     return fmt::format("hexahedra of {:.3g}", kSmallerShare * last);
   }
 
-  std::size_t left(const AttemptQueue& queue) const override {
-    if (!next(queue)) return 0;
-    return static_cast<std::size_t>(tuning_.smaller_sizes - (best_ ? sizes_ : 0));
-  }
+  std::size_t round(const AttemptQueue& queue) const override { return best_ ? rounds_ : next_round(queue); }
 
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
     if (!best_) {

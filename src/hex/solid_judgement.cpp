@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "crossgrain/message.hpp"
 #include "crossgrain/place.hpp"
 #include "measure/body_contacts.hpp"
@@ -34,15 +37,30 @@ void judge_empty_solids(const std::vector<std::int32_t>& empty, HexReport& repor
   report.remedy = Remedy::kTakeSmallerHexahedra;
 }
 
+/// Whether a warning is about solids that meet, as the field on the grid or the tets told them.
+bool is_of_contact(const Warning& warning) {
+  switch (warning.kind) {
+    case WarningKind::kOverlappingSolids:
+    case WarningKind::kTouchingSolids:
+    case WarningKind::kUnmergedVertices:
+      return true;
+    case WarningKind::kSurfaceFinding:
+      return warning.text.starts_with(name_of(FindingKind::kOverlappingComponents)) ||
+             warning.text.starts_with(name_of(FindingKind::kTouchingComponents));
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
-void judge_solids(const HexMesh& mesh, const TetSolid& model, bool is_united, HexReport& report,
-                  std::vector<Warning>& warnings) {
+void judge_solids(const HexMesh& mesh, const TetSolid& model, HexReport& report, SolveReport& whole) {
+  const bool is_united = whole.onto->united;
   const HexInterfaces interfaces = interfaces_of(mesh, model, kOnInterface * report.used_size);
   report.interface_faces = interfaces.faces;
   report.largest_interface_distance = interfaces.largest_distance;
   if (interfaces.off > 0 && !is_united) {
-    warnings.emplace_back(
+    whole.warnings.emplace_back(
         WarningKind::kCrossedInterfaces,
         fmt::format(
             "hexahedra do not keep to the faces between solids: {} of {} between them are off, by up to "
@@ -51,10 +69,12 @@ void judge_solids(const HexMesh& mesh, const TetSolid& model, bool is_united, He
             interfaces.largest_distance / report.used_size, words_of_place(interfaces.place)));
   }
   if (report.outcome != HexOutcome::kAllHex) return;
-  if (const std::vector<BodyContact> contacts = body_contacts(model); !contacts.empty())
+  if (const std::vector<BodyContact> contacts = body_contacts(model); !contacts.empty()) {
     judge_contacts(contacts, report);
-  else if (!interfaces.empty_regions.empty() && !is_united)
+    std::erase_if(whole.warnings, is_of_contact);
+  } else if (!interfaces.empty_regions.empty() && !is_united) {
     judge_empty_solids(interfaces.empty_regions, report);
+  }
 }
 
 }  // namespace crossgrain

@@ -11,7 +11,9 @@ namespace crossgrain {
 /// with reason, remedy and places where solids touch without common vertices, overlap, or have no hexahedra.
 /// Warns (WarningKind::kCrossedInterfaces) where the faces between hexahedra of two solids are off the faces
 /// between these. A model whose solids are united is asked only about those that share no vertices.
-void judge_solids(const HexMesh& mesh, const TetSolid& model, bool is_united, HexReport& report,
-                  std::vector<Warning>& warnings);
+///
+/// `whole` is the report of the field: it gets the warning, and loses those of the field about solids that
+/// meet, which say otherwise what the reason says of the hexahedra.
+void judge_solids(const HexMesh& mesh, const TetSolid& model, HexReport& report, SolveReport& whole);
 
 }  // namespace crossgrain

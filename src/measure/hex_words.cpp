@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/names.hpp"
 #include "crossgrain/hex_report.hpp"
@@ -41,6 +42,12 @@ std::string sizes_of(const HexReport& report) {
                      is_smaller ? "" : " in the mean", expected, report.size, reason);
 }
 
+/// Says so of shapes that are too poor to compute on, where none is inverted.
+std::string words_of_shapes(const HexReport& report) {
+  if (report.hexahedra == 0 || report.quality.inverted > 0 || report.quality.least >= kPoorShape) return "";
+  return fmt::format("badly shaped: worst scaled Jacobian {:.2g}", report.quality.least);
+}
+
 }  // namespace
 
 const char* name_of(HexOutcome outcome) {
@@ -53,19 +60,36 @@ std::string shapes_of(const HexReport::Quality& quality) {
                      words_of_place(quality.worst_place), quality.mean);
 }
 
+std::string way_of(const HexReport& report) {
+  if (report.attempts.empty()) return "";
+  const HexAttempt& best = report.attempts[report.best_attempt];
+  std::size_t last = 0;
+  std::string size;
+  for (const HexAttempt& attempt : report.attempts) {
+    last = std::max(last, attempt.number);
+    if (attempt.tet_size > 0 && attempt.round == best.round && attempt.tets > 0)
+      size = fmt::format(" of {:.3g}", attempt.tet_size);
+  }
+  return fmt::format("attempt {} of {}: field on {}{}, repaired{}", best.number, last,
+                     counted(best.tets, "tet"), size, best.kind == "repair" ? "" : ", " + best.kind);
+}
+
 std::string sentence_of(const HexReport& report) {
   return sentence_of(report, words_of(report.remedy, report.remedy_number));
 }
 
 std::string sentence_of(const HexReport& report, const std::string& remedy_words) {
   std::string text = name_of(report.outcome);
-  if (report.hexahedra > 0) text += ": " + sizes_of(report);
-  if (report.bodies > 1) text += fmt::format(" in {}", counted(report.bodies, "body", "bodies"));
-  if (report.hexahedra > 0 && report.quality.inverted == 0 && report.quality.least < kPoorShape)
-    text += fmt::format("; badly shaped: worst scaled Jacobian {:.2g}", report.quality.least);
-  if (report.reason.empty()) return text;
-  text += (report.hexahedra > 0 ? "; " : ": ") + report.reason;
-  return remedy_words.empty() ? text : text + "; " + remedy_words;
+  if (report.is_stopped) text += ", the search was stopped";
+  std::string sizes;
+  if (report.hexahedra > 0) sizes = sizes_of(report);
+  if (report.bodies > 1) sizes += fmt::format(" in {}", counted(report.bodies, "body", "bodies"));
+  if (report.outcome == HexOutcome::kAllHex && !report.reason.empty())
+    return text + ", but " + report.reason + (remedy_words.empty() ? "" : ": " + remedy_words) + "; " + sizes;
+  std::vector<std::string> parts;
+  for (const std::string& part : {sizes, words_of_shapes(report), report.reason, remedy_words})
+    if (!part.empty()) parts.push_back(part);
+  return parts.empty() ? text : fmt::format("{}: {}", text, fmt::join(parts, "; "));
 }
 
 }  // namespace crossgrain

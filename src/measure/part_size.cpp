@@ -25,6 +25,9 @@ constexpr double kLeastMeant = 4, kMostMeant = 2000;
 /// Start of the lines of `usual_thickness` off the surface, relative to the longest side: beyond rounding.
 constexpr double kStart = 1e-6;
 
+/// Edge of a regular tet over the cube root of its volume, to the third power.
+constexpr double kTetsPerCube = 6 * 1.4142135623730951;
+
 /// A unit that a part may be in while the size is in millimetres, or the other way round.
 struct Unit {
   const char* name;
@@ -76,6 +79,10 @@ std::vector<SpreadPoint> spread_points(const Surface& surface, std::size_t count
 PartSize part_size(const Surface& surface) {
   return {longest_side(surface.box), enclosed_volume(surface),
           std::accumulate(surface.areas.begin(), surface.areas.end(), 0.0), surface.mesh.unit};
+}
+
+double expected_tets(const PartSize& part, double size) {
+  return std::max(kTetsPerCube * part.volume / size / size / size, part.area / size / size);
 }
 
 std::string length_text(double length, const std::string& unit) {

@@ -21,6 +21,10 @@ struct PartSize {
 /// Returns the size of the part in a closed surface.
 PartSize part_size(const Surface& surface);
 
+/// Returns about how many tets of a size fill a part, unless its details ask for smaller ones. Walls thinner
+/// than the size have at least a layer of tets beneath their triangles.
+double expected_tets(const PartSize& part, double size);
+
 /// A size of elements that is asked for.
 struct AskedSize {
   double size = 0;       ///< model units

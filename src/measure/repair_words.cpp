@@ -16,10 +16,10 @@ std::string sentence_of(const SolveReport::Onto::Repair& repair, const SolveRepo
   if (repair.moves == 0)
     return fmt::format("no matching changed; {} left", counted(repair.faults, "fault")) + moved;
   const auto change = [](std::size_t before, std::size_t now) {
-    return fmt::format("{} for {}", now, before);
+    return fmt::format("{} (before {})", now, before);
   };
   std::string text = fmt::format(
-      "{} places where no hexahedra can meet, {} singular edges, {} of them touching the surface; arcs: {} "
+      "places where no hexahedra can meet: {}; singular edges: {}, touching the surface: {}; arcs: {} "
       "removed, {} shortened, {} led to the surface",
       change(repair.faults_before, repair.faults), change(repair.edges_before, after.edges),
       change(repair.contacts_before, after.contacts), repair.removed_arcs, repair.shortened_arcs,

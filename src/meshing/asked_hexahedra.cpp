@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "crossgrain/error.hpp"
-#include "measure/part_size.hpp"
+#include "meshing/hexahedra_of_models.hpp"
 
 namespace crossgrain {
 namespace {
@@ -45,19 +45,33 @@ void AskedHexahedra::check(const SearchableSurface& surface) {
   if (of_tets > 0) {
     const double tets = part.volume / of_tets / of_tets / of_tets;
     check_asked_size({of_tets, "tets", 1, TetMakingOptions().edges, tets, Remedy::kGiveTetSize}, part);
+    warn_of_many_tets(part);
   } else {
     check_count(expected, size, part);
   }
   const double thickness = usual_thickness(surface.bvh());
   if (kAcross * size <= thickness) return;
-  warnings_.emplace_back(
-      WarningKind::kThinPart,
-      fmt::format("less than {:g} hexahedra of {} fit across most of the part, which is {} thick there; a "
-                  "size of {:.2g} would leave {:g}",
-                  kAcross, length_text(size, part.unit), length_text(thickness, part.unit),
-                  thickness / kAcross, kAcross),
-      Remedy::kTakeSmallerHexahedra);
-  if (options_.on_warning) options_.on_warning(warnings_.front());
+  warn({WarningKind::kThinPart,
+        fmt::format("less than {:g} hexahedra of {} fit across most of the part, which is {} thick there; a "
+                    "size of {:.2g} would leave {:g}",
+                    kAcross, length_text(size, part.unit), length_text(thickness, part.unit),
+                    thickness / kAcross, kAcross),
+        Remedy::kTakeSmallerHexahedra});
+}
+
+void AskedHexahedra::warn_of_many_tets(const PartSize& part) {
+  const double size = options_.tets.size, expected = expected_tets(part, size);
+  if (expected <= static_cast<double>(kLargeTets)) return;
+  warn({WarningKind::kManyTets,
+        fmt::format("about {:.2g} tets of {} are made, as asked for; without a size they would be at most "
+                    "about {}, and the work grows with them",
+                    expected, length_text(size, part.unit), kLargeTets),
+        Remedy::kTakeLargerTets});
+}
+
+void AskedHexahedra::warn(const Warning& warning) {
+  warnings_.push_back(warning);
+  if (options_.on_warning) options_.on_warning(warning);
 }
 
 }  // namespace crossgrain

@@ -12,6 +12,9 @@
 
 namespace crossgrain {
 
+/// Tets that take a minute or two to solve on and repair; more do not bring hexahedra more often.
+inline constexpr std::size_t kLargeTets = 50000;
+
 /// What steers attempts at hexahedra of a model; docs/notes/hexahedra.md has the measurements.
 struct MeshingTuning {
   HexTuning hexahedra;
@@ -23,8 +26,9 @@ struct MeshingTuning {
   /// No further size is tried after so many.
   std::size_t most_sizes = 5;
 
-  /// Of sizes with more tets than this only the coarsest is tried.
-  std::size_t large_tets = 50000;
+  /// Sizes with more tets than this are not tried, but for a first one that the user gives, and where no
+  /// size has fewer.
+  std::size_t large_tets = kLargeTets;
 };
 
 using MakeTets = std::function<TetMesh(const TetMakingTuning& options, const Monitor& monitor)>;

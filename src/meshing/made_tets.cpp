@@ -46,6 +46,20 @@ bool are_same(const TetDomain& tets, const TetDomain& other) {
   return other.mesh().vertices == tets.mesh().vertices && other.mesh().tets == tets.mesh().tets;
 }
 
+/// The median of the edges, each counted once for each of its tets.
+double median_edge(const TetMesh& mesh) {
+  std::vector<double> edges;
+  edges.reserve(6 * mesh.tets.size());
+  for (const auto& tet : mesh.tets)
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = a + 1; b < 4; ++b)
+        edges.push_back(norm(mesh.vertices[tet[b]] - mesh.vertices[tet[a]]));
+  if (edges.empty()) return 0;
+  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+  std::nth_element(edges.begin(), middle, edges.end());
+  return *middle;
+}
+
 }  // namespace
 
 TetDomain prepared(const TetDomain& domain, const HexMeshingOptions& options) {
@@ -89,29 +103,35 @@ StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& option
 }
 
 std::optional<Turn> MadeTets::next(const AttemptQueue& queue) const {
-  if (left(queue) == 0) return std::nullopt;
+  if (rounds_left(queue) == 0) return std::nullopt;
   return Turn{queue.rounds(), Turn::Step::kTets};
 }
 
-/// The next of MeshingTuning::tet_shares that is not too fine.
+/// The next of MeshingTuning::tet_shares that may make other tets, not too many.
 std::size_t MadeTets::next_share() const {
   const std::vector<double>& shares = tuning_.tet_shares;
   std::size_t at = at_;
-  while (at < shares.size() && shares[at] < large_share_) ++at;
+  while (at < shares.size() && !may_be_new(shares[at])) ++at;
   return at;
 }
 
+bool MadeTets::may_be_new(double share) const {
+  return share > large_share_ && std::none_of(made_.begin(), made_.end(), [&](const Made& one) {
+           return share >= one.least_share && share <= one.most_share;
+         });
+}
+
 std::string MadeTets::plan(const AttemptQueue&) const {
-  if (domains_.empty()) return "tets";
-  const double longest = longest_side(domains_.back().data().box);
+  if (made_.empty()) return "tets";
+  const double longest = longest_side(made_.back().domain.data().box);
   const double size = tet_options(options_, tuning_.tet_shares[next_share()]).size_for(longest);
   return fmt::format("tets of {:.3g}", size);
 }
 
-std::size_t MadeTets::left(const AttemptQueue&) const {
+std::size_t MadeTets::rounds_left(const AttemptQueue&) const {
   const auto& shares = tuning_.tet_shares;
   const auto sizes = std::count_if(shares.begin() + static_cast<std::ptrdiff_t>(at_), shares.end(),
-                                   [&](double share) { return share >= large_share_; });
+                                   [&](double share) { return may_be_new(share); });
   return std::min(static_cast<std::size_t>(sizes), tuning_.most_sizes - sizes_);
 }
 
@@ -129,18 +149,28 @@ std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
   return {std::move(made)};
 }
 
-/// The first of the next sizes whose tets are not those of an earlier one, nor too many: where the first
-/// size has too many, the coarsest comes next.
+/// The first of the next sizes whose tets are not those of an earlier one, nor too many.
 std::optional<TetDomain> MadeTets::next_domain(const Monitor& monitor, HexAttempt& attempt) {
   const std::vector<double>& shares = tuning_.tet_shares;
-  const double coarsest = *std::max_element(shares.begin(), shares.end());
   while ((at_ = next_share()) < shares.size()) {
-    const double share = shares[at_++];
-    auto domain = domain_of(share, share == coarsest, monitor, attempt);
-    if (!domain && sizes_ == 0) domain = domain_of(coarsest, true, monitor, attempt);
+    const bool is_first = made_.empty() && large_share_ == 0;
+    // Who gives a size wants it.
+    const bool is_given = is_first && options_.tets.size > 0;
+    auto domain = domain_of(shares[at_++], is_given, monitor, attempt);
+    if (!domain && is_first) domain = coarse_domain(monitor, attempt);
     if (domain) return domain;
   }
   return std::nullopt;
+}
+
+/// Where the first size has too many tets: the coarsest of MeshingTuning::tet_shares, or twice that, and so
+/// on until there are not too many, or the tets are as large as the model.
+std::optional<TetDomain> MadeTets::coarse_domain(const Monitor& monitor, HexAttempt& attempt) {
+  for (double share = *std::max_element(tuning_.tet_shares.begin(), tuning_.tet_shares.end());; share *= 2) {
+    const bool is_last = tet_options(options_, 2 * share).size_for(longest_) > longest_;
+    if (auto domain = domain_of(share, is_last, monitor, attempt)) return domain;
+    if (is_last) return std::nullopt;
+  }
 }
 
 std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, const Monitor& monitor,
@@ -150,22 +180,33 @@ std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, co
   making.on_solid = [this](const SearchableSurface& part) { asked_.check(part); };
   ++sizes_;  // also if this fails
   const bool warns = !std::exchange(has_warned_, true);
-  TetDomain domain = crossgrain::domain_of([&] { return make_(making, monitor); }, options_, warns, monitor);
-  attempt.tet_size = making.size_for(longest_side(domain.data().box));
+  const auto make = [&] {
+    TetMesh mesh = make_(making, monitor);
+    attempt.tet_edge = median_edge(mesh);
+    return mesh;
+  };
+  TetDomain domain = crossgrain::domain_of(make, options_, warns, monitor);
+  longest_ = longest_side(domain.data().box);
+  attempt.tet_size = making.size_for(longest_);
   attempt.tets = domain.mesh().tets.size();
   attempt.tet_seconds += stopwatch.restart();
-  const bool is_known = std::any_of(domains_.begin(), domains_.end(),
-                                    [&](const TetDomain& other) { return are_same(domain, other); });
+  const auto known = std::find_if(made_.begin(), made_.end(),
+                                  [&](const Made& other) { return are_same(domain, other.domain); });
   const bool is_large = !may_be_large && attempt.tets > tuning_.large_tets;
-  if (is_large && domains_.empty()) size_ = {0, attempt.tet_size, attempt.tets};
+  if (is_large && made_.empty() && large_share_ == 0) size_ = {0, attempt.tet_size, attempt.tets};
   if (is_large) large_share_ = std::max(large_share_, share);
-  if (is_known || is_large) {
+  if (known != made_.end()) {
+    // So are those of all sizes between.
+    known->least_share = std::min(known->least_share, share);
+    known->most_share = std::max(known->most_share, share);
+  }
+  if (known != made_.end() || is_large) {
     --sizes_;
     return std::nullopt;
   }
-  if (!domains_.empty()) size_ = {};
+  if (!made_.empty()) size_ = {};
   size_.used = attempt.tet_size;
-  domains_.push_back(domain);
+  made_.push_back({share, share, domain});
   return domain;
 }
 

@@ -24,13 +24,22 @@ class MadeTets : public AttemptKind {
   const char* name() const override { return "tets"; }
   std::optional<Turn> next(const AttemptQueue& queue) const override;
   std::string plan(const AttemptQueue& queue) const override;
-  std::size_t left(const AttemptQueue& queue) const override;
+  std::size_t round(const AttemptQueue& queue) const override { return queue.rounds(); }
+  std::size_t rounds_left(const AttemptQueue& queue) const override;
   bool makes_meshes() const override { return false; }
   std::vector<HexCandidate> make(AttemptQueue& queue) override;
 
  private:
+  /// Tets, and the least and the largest share of the first size that makes them.
+  struct Made {
+    double least_share, most_share;
+    TetDomain domain;
+  };
+
   std::size_t next_share() const;
+  bool may_be_new(double share) const;
   std::optional<TetDomain> next_domain(const Monitor& monitor, HexAttempt& attempt);
+  std::optional<TetDomain> coarse_domain(const Monitor& monitor, HexAttempt& attempt);
   std::optional<TetDomain> domain_of(double share, bool may_be_large, const Monitor& monitor,
                                      HexAttempt& attempt);
 
@@ -40,10 +49,11 @@ class MadeTets : public AttemptKind {
   AskedHexahedra& asked_;
   std::size_t sizes_ = 0;   ///< that were tried
   std::size_t at_ = 0;      ///< the next of MeshingTuning::tet_shares
-  double large_share_ = 0;  ///< finer sizes than this have too many tets
+  double large_share_ = 0;  ///< this and finer sizes have too many tets
+  double longest_ = 0;      ///< side of the model
   bool has_warned_ = false;
-  HexExpectation::TetSize size_;    ///< of the last tets
-  std::vector<TetDomain> domains_;  ///< of all rounds
+  HexExpectation::TetSize size_;  ///< of the last tets
+  std::vector<Made> made_;        ///< in all rounds
 };
 
 /// Returns tets ready for a solve that leads to hexahedra; those that are not are prepared for a map.

@@ -151,8 +151,8 @@ void describe(File& file, Quality& quality) {
 template <class File, MaybeConst<HexAttempt> Attempt>
 void describe(File& file, Attempt& attempt) {
   file.text("kind", attempt.kind);
-  CROSSGRAIN_MEMBERS(attempt, round, tets, tet_size, repair, size, faults, arcs_without_length,
-                     seamless_flips, flips, outcome, hexahedra)
+  CROSSGRAIN_MEMBERS(attempt, number, round, tets, tet_size, tet_edge, repair, size, faults,
+                     arcs_without_length, seamless_flips, flips, outcome, hexahedra)
   file.text("failure", attempt.failure);
   CROSSGRAIN_MEMBERS(attempt, work, tet_seconds, seconds)
 }
@@ -174,6 +174,7 @@ void describe(File& file, Report& hexahedra) {
   file.member("scaled_jacobian", hexahedra.quality);
   file.member("scaled_jacobian_before", hexahedra.quality_before);
   CROSSGRAIN_MEMBERS(hexahedra, inner_valences, boundary_valences, attempts, best_attempt, is_stopped)
+  file.note("way", way_of(hexahedra).c_str());
   file.object("seconds", [&](auto& seconds) {
     seconds.member("repair", hexahedra.repair_seconds);
     seconds.member("map", hexahedra.map_seconds);

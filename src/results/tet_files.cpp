@@ -108,7 +108,8 @@ std::vector<std::string> result_files(OutputOptions options, const SolveReport& 
   if (!report.hexahedra) return names;
   const HexReport& hexahedra = *report.hexahedra;
   const bool for_display_only = hexahedra.quality.inverted > 0 && !options.inverted_hexahedra;
-  for (std::string& name : hexahedra_file_names({is_partial(hexahedra.outcome), for_display_only}))
+  for (std::string& name :
+       hexahedra_file_names({is_partial(hexahedra.outcome), for_display_only, hexahedra.hexahedra == 0}))
     names.insert(names.end() - 1, std::move(name));
   return names;
 }

@@ -21,6 +21,7 @@
 #include "measure/constraint_report.hpp"
 #include "measure/crease_report.hpp"
 #include "measure/grid_surface.hpp"
+#include "measure/input_report.hpp"
 #include "measure/interface_report.hpp"
 #include "measure/regions.hpp"
 #include "measure/walls.hpp"

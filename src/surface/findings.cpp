@@ -43,7 +43,7 @@ const char* words_of(FindingOutcome outcome) {
                               "reoriented",
                               "left out where they bound nothing",
                               "left as they are: all that they enclose is inside",
-                              "united into one solid; frames still follow their surfaces inside it"};
+                              "taken as one inside; frames follow their surfaces there too"};
   return name_among<FindingOutcome::kUnited>(kWords, outcome);
 }
 

@@ -72,9 +72,6 @@ Programs programs_of(const TetMakingTuning& options) {
               Remedy::kInstallTetMaker);
 }
 
-/// Edge of a regular tet over the cube root of its volume, to the third power.
-constexpr double kTetsPerCube = 6 * 1.4142135623730951;
-
 /// Tets that may be expected at most.
 constexpr double kMostTets = 20000000;
 
@@ -83,8 +80,7 @@ constexpr double kMostTets = 20000000;
 double size_for(const SearchableSurface& surface, const TetMakingTuning& options) {
   const PartSize part = part_size(surface.surface());
   const double size = options.size_for(part.longest);
-  // Walls thinner than the size have at least a layer of tets beneath their triangles.
-  const double expected = std::max(kTetsPerCube * part.volume / size / size / size, part.area / size / size);
+  const double expected = expected_tets(part, size);
   if (options.on_solid)
     options.on_solid(surface);
   else if (options.size > 0)

@@ -151,31 +151,47 @@ class HexTest(CommandTest):
     def test_five_tets_around_an_axis_have_no_map_which_all_output_says(self):
         self.write_fan()
         made = self.hexahedra("fan.mesh", "--cells", "3", code=NOT_ALL_HEX)
-        self.assertIn(made["outcome"], ("none", "partial"))
+        self.assertEqual((made["outcome"], made["hexahedra"]), ("none", 0))
         self.assertIn("inverted", made["detail"])
         self.assertTrue(all(np.isfinite(place).all() for place in made["places"]))
-        self.assertRegex(self.result.stdout, r"hexahedra  (none|partial)")
+        self.assertIn("hexahedra  none: ", self.result.stdout)
         self.assertIn(made["reason"], self.result.stdout)
         self.assertNotIn("--tet-size", self.result.stdout, "no tets are made of a mesh of tets")
-        # Names and heads of files say that it is a part.
-        files = [f"hexahedra.partial.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
-        self.assertEqual(self.files_of_hexahedra(), files)
-        for name in files:
-            self.assertIn(b"partial", (self.folder / "out" / name).read_bytes()[:1024])
-            self.assertIn(name, self.result.stdout)
-        # Each attempt that another follows ends with a line that says why.
+        # A mesh of nothing has no files, and a field that hexahedra fit locally is no consolation.
+        self.assertEqual(self.files_of_hexahedra(), [])
+        self.assertNotIn("hexahedra.", self.result.stdout.split("\nfiles ", 1)[1])
+        checked = self.run_here("check", "out").stdout
+        self.assertTrue(checked.startswith("hexahedra: none: "), checked)
+        self.assertIn("\nfield: hexahedra fit around each line and point of it, which was not enough\n", checked)
+        self.assertNotIn("necessary", checked)
+        self.assertNotRegex(checked, r"repaired: \d+ for \d+ places")
+        # Each attempt ends with a line that says how, and the last why no other follows.
         ends = [line for line in self.result.stderr.splitlines() if line.startswith("attempt ")]
-        self.assertGreater(len(ends), 0)
-        self.assertEqual(len(ends), len(made["attempts"]) - 1)
-        for k, line in enumerate(ends):
+        self.assertGreater(len(ends), 1)
+        self.assertEqual(len(ends), len(made["attempts"]))
+        for k, line in enumerate(ends[:-1]):
             self.assertRegex(line, rf"^attempt {k + 1}: .+; trying .+$")
-        # A whole one leaves nothing of a part behind.
+        self.assertRegex(ends[-1], rf"^attempt {len(ends)}: .+; (nothing else is left to try|the work of a search is done)$")
+        texts = [line.split(": ", 1)[1].split("; trying ")[0] for line in ends]
+        self.assertTrue(all(a != b or a.startswith("as attempt ") for a, b in zip(texts, texts[1:])), ends)
         self.write_box()
         self.hexahedra("box.mesh", "--cells", "4", "--force")
         self.assertEqual(self.files_of_hexahedra(), FILES)
 
     def files_of_hexahedra(self):
         return sorted(path.name for path in (self.folder / "out").iterdir() if path.name.startswith("hexahedra."))
+
+    def test_a_volume_far_off_is_told_first_with_a_size_that_helps(self):
+        self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
+        made = self.hexahedra("cylinder.stl", "--size", "0.5", "--tet-size", "0.5")
+        off = 100 * (1 - made["volume"] / made["model_volume"])
+        row = next(line for line in self.result.stdout.splitlines() if line.startswith("hexahedra"))
+        self.assertRegex(row, rf"^hexahedra  all-hex, but its volume is {off:.2g} % below the model's: try --size [\d.]+; \d+ of 0.5")
+        self.assertEqual(made["remedy"], "use_hex_size")
+        self.assertIn(f"try --size {made['remedy_number']:g}; ", row)
+        self.assertNotIn("volume than the model", self.result.stdout)
+        # What it says helps.
+        self.assertNotIn("reason", self.hexahedra("cylinder.stl", "--size", f"{made['remedy_number']:g}", "--tet-size", "0.5"))
 
     def test_without_a_mesh_that_fills_the_model_one_line_says_why_even_if_quiet(self):
         self.write_fan()
@@ -236,6 +252,8 @@ class HexTest(CommandTest):
         self.assertIn("crossgrain: interrupted: writing the best mesh so far, ", errors)
         made = json.loads((self.folder / "out/report.json").read_text())["hexahedra"]
         self.assertTrue(made["is_stopped"])
+        self.assertRegex(made["sentence"], "^[a-z-]+, the search was stopped")
+        self.assertEqual(made["next"], "let it finish", "what was not tried yet may still bring a mesh")
         self.assertGreater(made["hexahedra"], 0)
         name = "hexahedra.vtu" if made["outcome"] == "all-hex" else "hexahedra.partial.vtu"
         self.assertEqual(len(read_arrays(self.folder / "out" / name)["scaled_jacobian"]), made["hexahedra"])
@@ -244,7 +262,15 @@ class HexTest(CommandTest):
         self.write_box()
         result = self.run_here("hex", "box.mesh", "--progress", "json", "--cells", "4", "-o", "out")
         self.assert_succeeds(result)
-        events = [json.loads(line) for line in result.stderr.splitlines()]
+        events = [json.loads(line) for line in result.stderr.splitlines() if line.startswith("{")]
+        model = next(event for event in events if event["event"] == "model")
+        vertices = tet_box()[0] @ tilt()
+        np.testing.assert_allclose([model["bounding_box"]["low"], model["bounding_box"]["high"]], [vertices.min(axis=0), vertices.max(axis=0)])
+        self.assertEqual(model["tets"], len(tet_box()[1]))
+        self.assertNotIn("unit", model)
+        self.assertTrue(all(event["best"]["hexahedra"] > 0 for event in events if "best" in event))
+        self.assertTrue(all(event["levels"] >= event["level"] > 0 for event in events if "levels" in event))
+        self.assertEqual({(event["tets"], event["most_tets"]) for event in events if "attempt" in event}, {(1, 1)})
         self.assertEqual([event["seconds"] for event in events], sorted(event["seconds"] for event in events))
         expected = next(event for event in events if event["event"] == "expected")
         made = json.loads((self.folder / "out/report.json").read_text())["hexahedra"]["hexahedra"]
@@ -254,7 +280,7 @@ class HexTest(CommandTest):
                          ["repair", "map", "hexahedra", "smooth"])
         self.assertTrue(all(0 <= event["share"] <= 1 for event in events if "share" in event))
         end = next(event for event in events if event["event"] == "attempt")
-        self.assertEqual((end["outcome"], end["next"]), ("all-hex", ""))
+        self.assertEqual((end["outcome"], end["next"], end["over"]), ("all-hex", "", ""))
         self.assertLess(events.index(expected), events.index(end))
 
     def test_a_later_solve_removes_the_hexahedra(self):

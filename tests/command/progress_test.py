@@ -13,7 +13,7 @@ import termios
 import time
 import unittest
 
-from program import PROGRAM, CommandTest, stl_bytes, torus_triangles
+from program import PROGRAM, CommandTest, medit_text, stl_bytes, tet_box, torus_triangles
 
 LEVEL = re.compile(r"level (\d+) of (\d+): ")
 
@@ -27,11 +27,11 @@ class Progress(CommandTest):
         super().setUp()
         self.write("torus.stl", stl_bytes(torus_triangles()))
 
-    def shown_on_terminal(self, *arguments, columns=100, term="xterm", meanwhile=None):
+    def shown_on_terminal(self, *arguments, columns=100, term="xterm", meanwhile=None, command=("solve", "torus.stl")):
         """What a terminal of so many columns gets; `meanwhile` is called with it and with all that it got so far."""
         master, terminal = pty.openpty()
         set_width(terminal, columns)
-        process = subprocess.Popen([PROGRAM, "solve", "torus.stl", *map(str, arguments)], stdout=subprocess.DEVNULL,
+        process = subprocess.Popen([PROGRAM, *command, *map(str, arguments)], stdout=subprocess.DEVNULL,
                                    stderr=terminal, cwd=self.folder, env={**os.environ, "TERM": term})
         shown, end = "", time.monotonic() + 100
         while time.monotonic() < end:
@@ -99,6 +99,19 @@ class Progress(CommandTest):
         shown = self.shown_on_terminal("--resolution", 128)
         self.assertRegex(shown, r"about \d+ (s|min) left")
         self.assertNotRegex("\n".join(self.final_lines(shown)), "left")
+
+    def test_of_hexahedra_begins_with_the_time_which_no_narrow_terminal_cuts_off(self):
+        self.write("box.mesh", medit_text(*tet_box()))
+        for columns in (100, 40):
+            with self.subTest(columns=columns):
+                shown = self.shown_on_terminal("--cells", 4, "--no-report", columns=columns, command=("hex", "box.mesh", "-o", f"out{columns}"))
+                lines = [line for line in self.rewritten(shown) if "attempt 1: " in line and "fill" not in line]
+                self.assertGreater(len(lines), 4)
+                for line in lines:
+                    self.assertRegex(line, r"^ *\d+\.\d s  attempt 1: [a-z]")
+                    self.assertLess(len(line), columns)
+                self.assertRegex("\n".join(self.final_lines(shown)), r"attempt 1: mapping( took \d+\.\d s)?\n")
+                self.assertIn("attempt 1: 24 hexahedra fill the model", shown)
 
     def test_a_dumb_terminal_gets_plain_lines(self):
         shown = self.shown_on_terminal("--resolution", 32, term="dumb")

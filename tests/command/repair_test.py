@@ -218,10 +218,10 @@ class AnswersAboutRepairedFields(RepairTest):
     def test_tell_what_was_repaired(self):
         report = self.repaired(*tet_solids.ball(4), "--prepare")
         repair, edges = report["onto"]["repair"], report["onto"]["singularity"]["edges"]
-        words = f"{repair['faults']} for {repair['faults_before']} places"
+        words = f"places where no hexahedra can meet: {repair['faults']} (before {repair['faults_before']})"
         self.assertIn(words, self.summary)
         self.assertIn(words, self.run_here("check", "out").stdout)
-        self.assertIn(f"{edges} for {repair['edges_before']} singular edges", self.summary)
+        self.assertIn(f"singular edges: {edges} (before {repair['edges_before']})", self.summary)
 
 
 class CommandsOnRepairedFields(RepairTest):

@@ -40,7 +40,13 @@ class Dummy : public AttemptKind {
 
   const char* name() const override { return name_.c_str(); }
   std::string plan(const AttemptQueue&) const override { return name_ + " " + std::to_string(at_ + 1); }
-  std::size_t left(const AttemptQueue&) const override { return planned_.size() - at_; }
+
+  std::size_t round(const AttemptQueue&) const override { return planned_[at_].turn.round; }
+
+  /// All rounds that it plans.
+  std::size_t rounds_left(const AttemptQueue&) const override {
+    return planned_.empty() ? 0 : planned_.back().turn.round + 1;
+  }
 
   std::optional<Turn> next(const AttemptQueue&) const override {
     if (at_ == planned_.size()) return std::nullopt;
@@ -74,7 +80,6 @@ class Signalled : public AttemptKind {
 
   const char* name() const override { return "signalled"; }
   std::string plan(const AttemptQueue&) const override { return "to be stopped"; }
-  std::size_t left(const AttemptQueue&) const override { return is_over_ ? 0 : 1; }
   std::optional<Turn> next(const AttemptQueue&) const override {
     if (is_over_) return std::nullopt;
     return Turn{round_, Step::kRepair};
@@ -248,26 +253,61 @@ TEST(AttemptQueue, TellsHowEachAttemptEndedAndWhatIsTriedNext) {
   EXPECT_EQ(ends[1].text, "no memory for this one");
   EXPECT_EQ(ends[1].next, "a 3");
   EXPECT_EQ(ends[2].text, "1 hexahedron fills the model");
-  EXPECT_EQ(ends[2].next, "");
+  EXPECT_EQ(ends[2].next + ends[2].over, "");
   EXPECT_EQ(ends[2].attempt, 3u);
-  EXPECT_EQ(ends[2].attempts, 3u);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(queue.attempts()[k].number, k + 1);
+}
+
+/// How the last attempt of a search ends that has a mesh which misses half of the volume.
+HexAttemptEnd last_end(double most_work, bool is_stopped = false) {
+  HexAttemptEnd last;
+  Monitor monitor;
+  monitor.allow_stops();
+  AttemptQueue queue(most_work, 0, monitor);
+  queue.add(dummy({{{0, Step::kRepair}, {0.5}}, {{0, Step::kRepair}, {0.5}}}));
+  if (is_stopped) queue.add(std::make_unique<Signalled>(1, [&] { monitor.stop(); }));
+  queue.hear_ends([&](const HexAttemptEnd& end) { last = end; });
+  queue.run();
+  return last;
+}
+
+TEST(AttemptQueue, TellsWhyNothingFollowsUnlessTheMeshIsGood) {
+  EXPECT_EQ(last_end(kPlenty).over, "nothing else is left to try");
+  EXPECT_EQ(last_end(kPlenty, /*is_stopped=*/true).over, "the search was stopped");
+  const HexAttemptEnd exhausted = last_end(/*most_work=*/5);
+  EXPECT_EQ(exhausted.attempt, 1u);
+  EXPECT_EQ(exhausted.over, "the work of a search is done");
+  EXPECT_EQ(exhausted.next, "");
+}
+
+TEST(AttemptQueue, CallsAMeshThatFillsTheModelFlawedIfAHexahedronIsInverted) {
+  HexCandidate flawed = candidate_that_misses(0), partial = candidate_that_misses(0.01);
+  flawed.made->quality.inverted = 1;
+  EXPECT_EQ(flawed.made->outcome(), HexOutcome::kFlawed);
+  EXPECT_EQ(partial.made->outcome(), HexOutcome::kPartial);
+  flawed.made->volume_missed = 0.02;
+  EXPECT_TRUE(is_better(flawed, partial, 0));
+  partial.made->mesh.hexahedra.clear();
+  EXPECT_EQ(partial.made->outcome(), HexOutcome::kNone);
 }
 
 TEST(AttemptQueue, TellsAttemptAndBestSoFarInItsProgress) {
   std::vector<Progress> heard;
   const Monitor monitor([&](const Progress& progress) { heard.push_back(progress); });
   AttemptQueue queue(kPlenty, 0, monitor);
-  queue.add(std::make_unique<Dummy>("a", std::vector<Dummy::Planned>{{{0, Step::kRepair}, {0.5}}}));
+  queue.add(dummy({{{0, Step::kRepair}, {0.5}}, {{1, Step::kRepair}, {0.5}}}));
   queue.monitor().report({Phase::kRepair, 0, 5, 0, 0});
   queue.run();
   queue.monitor().report({Phase::kHexahedra, 0, 5, 0, 0});
   ASSERT_EQ(heard.size(), 2u);
   EXPECT_EQ(heard[0].attempt, 1u);
-  EXPECT_EQ(heard[1].attempts, 2u);
+  EXPECT_EQ(heard[0].tets, 1u);
+  EXPECT_EQ(heard[1].most_tets, 2u);
   EXPECT_EQ(heard[0].hexahedra, 0u);
-  EXPECT_EQ(heard[1].attempt, 2u);
+  EXPECT_EQ(heard[1].attempt, 3u);
+  EXPECT_EQ(heard[1].tets, 2u);
   EXPECT_EQ(heard[1].hexahedra, 1u);
-  EXPECT_FALSE(heard[1].is_whole);
+  EXPECT_EQ(heard[1].outcome, HexOutcome::kPartial);
 }
 
 }  // namespace

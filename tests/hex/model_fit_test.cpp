@@ -104,6 +104,28 @@ TEST(ModelFit, IsPoorWithMuchLessVolumeOrFarFromTheSurface) {
       "the hexahedra are up to 1.5 away from the model's surface, at 4 0 2, which is 0.75 of their size");
 }
 
+TEST(ModelFit, OfAWholeMeshWithMuchLessVolumeIsToldWithASizeThatBringsItNearer) {
+  HexReport report;
+  report.outcome = HexOutcome::kAllHex;
+  report.hexahedra = 1;
+  report.used_size = 3;
+  report.area = 6 * 9;
+  report.volume = 104.9, report.model_volume = 100;
+  EXPECT_FALSE(size_for_volume(report, 6));
+  report.volume = 78;
+  EXPECT_EQ(words_of_volume(report), "its volume is 22 % below the model's");
+  // What a chord cuts off falls with the square of its length: to 4 %.
+  EXPECT_NEAR(*size_for_volume(report, 6), 1.2, 1e-12);
+  EXPECT_FALSE(poor_fit(report));
+  report.volume = 116;
+  EXPECT_EQ(words_of_volume(report), "its volume is 16 % above the model's");
+  EXPECT_NEAR(*size_for_volume(report, 6), 1.5, 1e-12);
+  // Edges that are shorter than asked for already.
+  EXPECT_NEAR(*size_for_volume(report, 4 * 6), 0.75, 1e-12);
+  report.outcome = HexOutcome::kFlawed;
+  EXPECT_EQ(poor_fit(report)->text, "the hexahedra have 16 % more volume than the model");
+}
+
 TEST(FacesWithoutQuads, AreThoseOnTheOutsideThatNoTagNames) {
   std::vector<ModelFace> faces(3);
   for (std::size_t k = 0; k < 3; ++k) faces[k].number = static_cast<std::int64_t>(k + 1);

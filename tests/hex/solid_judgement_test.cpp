@@ -51,8 +51,11 @@ TEST(SolidJudgement, OfBodiesThatTouchWithoutCommonVerticesIsFlawed) {
   EXPECT_EQ(report.bodies, 2u);
 }
 
-TEST(SolidJudgement, OfBodiesThatOverlapIsFlawed) {
-  const HexReport report = made_of(together({box({3, 3, 2}), moved(box({1, 1, 2}), {1, 1, 1})})).report();
+TEST(SolidJudgement, OfBodiesThatOverlapIsFlawedWhichNothingElseSaysInOtherWords) {
+  const Hexahedra made = made_of(together({box({3, 3, 2}), moved(box({1, 1, 2}), {1, 1, 1})}));
+  const HexReport& report = made.report();
+  for (const Warning& warning : made.field.report().warnings)
+    EXPECT_EQ(warning.text.find("overlap"), std::string::npos) << warning.text;
   EXPECT_EQ(report.outcome, HexOutcome::kFlawed);
   EXPECT_EQ(report.reason.find("solids 1 and 2 overlap, and both are meshed whole, one in the other, at "),
             0u)
@@ -78,12 +81,15 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
   EXPECT_NEAR(made.report().largest_interface_distance, off, 1e-6);
   EXPECT_FALSE(warns_of_interfaces(made.field.report().warnings));  // nobody asks for these faces
   HexReport report = made.report();
-  std::vector<Warning> warnings;
-  judge_solids(made.mesh, solid_of(two_regions(0.4)), /*is_united=*/false, report, warnings);
+  SolveReport whole = made.field.report();
+  whole.onto->united = false;
+  judge_solids(made.mesh, solid_of(two_regions(0.4)), report, whole);
+  const std::vector<Warning>& warnings = whole.warnings;
   ASSERT_TRUE(warns_of_interfaces(warnings));
-  EXPECT_NE(warnings[0].text.find("4 of 4 faces between them are off, by up to 0.37 (0.37 of their size)"),
-            std::string::npos)
-      << warnings[0].text;
+  EXPECT_NE(
+      warnings.back().text.find("4 of 4 faces between them are off, by up to 0.37 (0.37 of their size)"),
+      std::string::npos)
+      << warnings.back().text;
   EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
 }
 

@@ -39,12 +39,50 @@ TEST(SentenceOfHexahedra, TellsOtherNumbersThanExpectedAndWhy) {
             "all-hex: 8000 of 1 in the mean, not about 1000 of 2: each wall and gap has one across");
 }
 
-TEST(SentenceOfHexahedra, TellsPoorShapesWithTwoDigits) {
+TEST(SentenceOfHexahedra, TellsPoorShapesOfAPartWithTwoDigits) {
   HexReport report = whole();
-  report.quality.least = 0.049;
-  EXPECT_EQ(sentence_of(report), "all-hex: 1000 of 2; badly shaped: worst scaled Jacobian 0.049");
+  report.outcome = HexOutcome::kPartial;
   report.quality.least = 0.0041234;
-  EXPECT_EQ(sentence_of(report), "all-hex: 1000 of 2; badly shaped: worst scaled Jacobian 0.0041");
+  EXPECT_EQ(sentence_of(report), "partial: 1000 of 2; badly shaped: worst scaled Jacobian 0.0041");
+}
+
+TEST(SentenceOfHexahedra, TellsFirstWhatIsWrongWithAWholeMeshAndWhatHelps) {
+  HexReport report = whole();
+  report.reason = "its volume is 22 % below the model's";
+  report.remedy = Remedy::kUseHexSize;
+  report.remedy_number = 0.15;
+  EXPECT_EQ(sentence_of(report, "try --size 0.15"),
+            "all-hex, but its volume is 22 % below the model's: try --size 0.15; 1000 of 2");
+  EXPECT_EQ(sentence_of(report),
+            "all-hex, but its volume is 22 % below the model's: use hexahedra of 0.15; 1000 of 2");
+}
+
+TEST(SentenceOfHexahedra, TellsFirstThatTheSearchWasStopped) {
+  HexReport report = whole();
+  report.is_stopped = true;
+  report.remedy = Remedy::kLetFinish;
+  EXPECT_EQ(sentence_of(report), "all-hex, the search was stopped: 1000 of 2; let it finish");
+  report.outcome = HexOutcome::kPartial;
+  report.reason = "layers of hexahedra are folded";
+  EXPECT_EQ(sentence_of(report),
+            "partial, the search was stopped: 1000 of 2; layers of hexahedra are folded; let it finish");
+}
+
+TEST(WayOfHexahedra, TellsTheAttemptThatMadeThemOfAllThatWereMade) {
+  HexReport report = whole();
+  EXPECT_EQ(way_of(report), "");
+  report.attempts.resize(4);
+  report.attempts[0].tet_size = 3;
+  const char* const kinds[] = {"tets", "repair", "part of the model", "tets"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    report.attempts[k].kind = kinds[k];
+    report.attempts[k].number = k;
+    report.attempts[k].tets = k < 3 ? 500 : 0;  // the last failed
+  }
+  report.best_attempt = 1;
+  EXPECT_EQ(way_of(report), "attempt 1 of 3: field on 500 tets of 3, repaired");
+  report.best_attempt = 2;
+  EXPECT_EQ(way_of(report), "attempt 2 of 3: field on 500 tets of 3, repaired, part of the model");
 }
 
 TEST(SentenceOfHexahedra, EndsWithReasonAndRemedy) {

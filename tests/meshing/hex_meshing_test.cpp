@@ -155,27 +155,79 @@ TEST_F(HexMeshing, TriesNoFurtherTetsOnceTheWorkIsDone) {
   EXPECT_GT(made.mesh.hexahedra.size(), 0u);
 }
 
-TEST_F(HexMeshing, TriesOnlyTheCoarsestOfSizesWithManyTets) {
+TEST_F(HexMeshing, TakesTheSizeThatIsGivenAndNoOtherWithManyTets) {
   MeshingTuning tuning;
   tuning.large_tets = 1;
   const std::vector<HexAttempt> tets = tets_of(partial_pyramid({1, 2, 1.4}, tuning));
   ASSERT_EQ(tets.size(), 1u);
-  EXPECT_NEAR(tets.front().tet_size, 0.6, 1e-9);
+  EXPECT_NEAR(tets.front().tet_size, 0.3, 1e-9);
 }
 
-TEST_F(HexMeshing, TellsBeforeTheWorkThatTheFirstSizeHasTooManyTets) {
+/// What is expected before the work in a box of four by two by three, of which the first tets are 0.28.
+HexExpectation expected_of_box(std::size_t large_tets) {
   MeshingTuning tuning;
-  tuning.tet_shares = {1, 4};
-  tuning.large_tets = 500;
+  tuning.tet_shares = {1, 2, 4};
+  tuning.large_tets = large_tets;
   HexMeshingOptions options = of_size(1);
-  options.tets.size = 0.4;
   std::vector<HexExpectation> heard;
   options.on_expected = [&](const HexExpectation& expected) { heard.push_back(expected); };
   tuned_hexahedra(make_box({4, 2, 3}), options, tuning);
-  ASSERT_FALSE(heard.empty());
-  EXPECT_NEAR(heard.front().tet_size.used, 1.6, 1e-9);
-  EXPECT_NEAR(heard.front().tet_size.dropped, 0.4, 1e-9);
-  EXPECT_GT(heard.front().tet_size.dropped_tets, tuning.large_tets);
+  EXPECT_EQ(heard.size(), 1u);
+  return heard.front();
+}
+
+TEST_F(HexMeshing, TellsBeforeTheWorkThatTheFirstSizeHasTooManyTets) {
+  const HexExpectation expected = expected_of_box(500);
+  EXPECT_NEAR(expected.tet_size.used, 4 * 0.28, 1e-9);
+  EXPECT_NEAR(expected.tet_size.dropped, 0.28, 1e-9);
+  EXPECT_GT(expected.tet_size.dropped_tets, 500u);
+  EXPECT_LE(expected.tets, 500u);
+}
+
+TEST_F(HexMeshing, TakesStillCoarserTetsUntilTheyAreNotTooMany) {
+  const std::size_t of_coarse = expected_of_box(500).tets;
+  const HexExpectation expected = expected_of_box(of_coarse - 1);
+  EXPECT_NEAR(expected.tet_size.used, 8 * 0.28, 1e-9);
+  EXPECT_LT(expected.tets, of_coarse);
+  // No size has so few: as coarse as the model.
+  EXPECT_LE(expected_of_box(1).tet_size.used, 4.0);
+}
+
+TEST_F(HexMeshing, WarnsBeforeManyTetsThatAreAskedForAreMade) {
+  HexMeshingOptions options = of_size(1);
+  options.tets.size = 0.05;
+  std::vector<Warning> heard;
+  options.on_warning = [&](const Warning& warning) { heard.push_back(warning); };
+  const auto make = [&](const TetMakingTuning& making, const Monitor&) -> TetMesh {
+    making.on_solid(SearchableSurface(prepare_surface(CheckedMesh::derived(make_box({4, 2, 3})))));
+    throw Error(ErrorKind::kInterrupted, "enough");
+  };
+  EXPECT_THROW(hexahedra_in_tets_of(make, options, {}, {}), Error);
+  ASSERT_EQ(heard.size(), 1u);
+  EXPECT_EQ(heard.front().kind, WarningKind::kManyTets);
+  EXPECT_TRUE(heard.front().text.starts_with("about 1.6e+06 tets of 0.05 are made, as asked for"));
+  EXPECT_EQ(heard.front().remedy, Remedy::kTakeLargerTets);
+}
+
+TEST_F(HexMeshing, MakesNoTetsOfASizeBetweenTwoThatMakeTheSame) {
+  const TetMesh fine = make_tets(make_box({4, 2, 3}), TetMakingOptions{.size = 1});
+  MeshingTuning tuning;
+  tuning.tet_shares = {1, 4, 3, 2};
+  tuning.hexahedra.least_quality = 1.5;  // more than any hexahedron has, so that the search goes on
+  std::vector<double> sizes;
+  std::vector<HexAttemptEnd> ends;
+  HexMeshingOptions options = of_size(1);
+  options.tets.size = 1;
+  options.on_attempt_end = [&](const HexAttemptEnd& end) { ends.push_back(end); };
+  const auto make = [&](const TetMakingTuning& making, const Monitor&) {
+    sizes.push_back(making.size);
+    return fine;
+  };
+  const Hexahedra made = hexahedra_in_tets_of(make, options, tuning, {});
+  EXPECT_EQ(sizes, (std::vector<double>{1, 4}));
+  EXPECT_EQ(made.report().remedy, Remedy::kUseEdgeLength);
+  EXPECT_LT(made.report().remedy_number, 1);
+  for (const HexAttemptEnd& end : ends) EXPECT_EQ(end.next.find("tets of 3"), std::string::npos) << end.next;
 }
 
 TEST_F(HexMeshing, GoesOnAfterPoorHexahedraAndKeepsThem) {
@@ -203,7 +255,8 @@ TEST_F(HexMeshing, ProgressTellsAttemptAndBestSoFar) {
   ASSERT_FALSE(heard.empty());
   EXPECT_EQ(heard.front().attempt, 1u);
   EXPECT_EQ(heard.back().attempt, 1u);
-  EXPECT_EQ(heard.front().attempts, MeshingTuning().most_sizes);
+  EXPECT_EQ(heard.front().tets, 1u);
+  for (const Progress& progress : heard) EXPECT_EQ(progress.most_tets, MeshingTuning().most_sizes);
   EXPECT_EQ(heard.back().phase, Phase::kSmooth);
   EXPECT_GT(heard.back().share, 0);
 }
@@ -214,13 +267,16 @@ TEST_F(HexMeshing, TellsWhyEachAttemptEndedAndWhichTetsAreTriedNext) {
   ASSERT_GE(ends.size(), 2u);
   for (std::size_t k = 0; k < ends.size(); ++k) {
     EXPECT_EQ(ends[k].attempt, k + 1);
-    EXPECT_GE(ends[k].attempts, ends[k].attempt);
+    EXPECT_LE(ends[k].tets, ends[k].most_tets);
+    EXPECT_LE(ends[k].most_tets, ends[k == 0 ? 0 : k - 1].most_tets)
+        << "how many there are at most only falls";
     EXPECT_NE(ends[k].outcome, HexOutcome::kAllHex);
     EXPECT_FALSE(ends[k].text.empty());
   }
   EXPECT_EQ(
       std::count_if(ends.begin(), ends.end(), [](const auto& end) { return end.next == "tets of 0.6"; }), 1);
   EXPECT_EQ(ends.back().next, "");
+  EXPECT_NE(ends.back().over, "");
 }
 
 TEST_F(HexMeshing, GivesTheBestMeshSoFarWhenItIsStopped) {
@@ -232,6 +288,8 @@ TEST_F(HexMeshing, GivesTheBestMeshSoFarWhenItIsStopped) {
   monitor.allow_stops();
   const Hexahedra made = partial_pyramid({1, 1.4, 2}, MeshingTuning(), 1000, monitor);
   EXPECT_TRUE(made.report().is_stopped);
+  EXPECT_EQ(made.report().remedy, Remedy::kLetFinish);
+  EXPECT_TRUE(sentence_of(made.report()).starts_with("partial, the search was stopped: "));
   EXPECT_GT(made.mesh.hexahedra.size(), 0u);
   EXPECT_TRUE(made.mesh.is_partial);
   EXPECT_EQ(used_round(made), 0u);

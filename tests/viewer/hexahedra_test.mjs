@@ -111,7 +111,7 @@ test("sizes, numbers, worst hexahedron, fit, way and files stand beside what was
   assert.equal(await text("number-hexahedra"), "432\nabout 250 at the size asked for");
   assert.match(await text("number-worst"), /^−1, inverted\nof hexahedron 1, 0\.99 in the mean$/);
   assert.equal(await text("mesh-fit"), "volume −0.12 %, area +0.2 % of the CAD model; at most 0.13 mm from the surface");
-  assert.equal(await text("mesh-way"), "attempt 1 of 2: field on 8,748 tets, repaired");
+  assert.equal(await text("mesh-way"), "attempt 1 of 2: field on 8748 tets of 2, repaired");
   assert.equal(await text("mesh-files"), "hexahedra.partial.vtu, hexahedra.hexex");
   // What is rounding is said to be nothing.
   const { report: { hexahedra } } = scene_named("all_hex");

@@ -73,7 +73,7 @@ export function hexahedra_scene(inverted = true) {
         scaled_jacobian: { min: Math.min(...shapes), mean, inverted: Number(inverted), worst_place },
         volume: 15980, model_volume: 16000, area: 4008, model_area: 4000, model: "cad", largest_distance: 0.134, largest_distance_place: [10, 10, 0],
         largest_distance_of_model: 0.1, largest_distance_of_model_place: [-10, 10, 0],
-        attempts: [{ kind: "tets", tets: 8748, tet_size: 2 }, { kind: "repair", tets: 8748 }, { kind: "smaller hexahedra", tets: 8748 }], best_attempt: 1,
+        way: "attempt 1 of 2: field on 8748 tets of 2, repaired",
       },
       unmarked_files: [{ name: "hexahedra.hexex" }, { name: "onto.frames" }],
       // The mesh lacks one of the faces that the model has.

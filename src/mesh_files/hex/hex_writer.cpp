@@ -64,14 +64,19 @@ std::optional<std::size_t> first_inverted(const HexMesh& mesh) {
 }  // namespace
 
 HexOutput::HexOutput(const HexMesh& shown)
-    : mesh(checked(shown)), sides(sides_of_boundary(shown)), groups(groups_of(shown)) {}
+    : mesh(checked(shown)),
+      has_inverted(first_inverted(shown).has_value()),
+      sides(sides_of_boundary(shown)),
+      groups(groups_of(shown)) {}
 
 HexFilesOf hex_files_of(const HexMesh& mesh, InvertedHexahedra inverted) {
-  return {mesh.is_partial, inverted == InvertedHexahedra::kRefused && first_inverted(mesh)};
+  return {mesh.is_partial, inverted == InvertedHexahedra::kRefused && first_inverted(mesh),
+          mesh.hexahedra.empty()};
 }
 
 std::vector<std::string> hexahedra_file_names(HexFilesOf which) {
   std::vector<std::string> names;
+  if (which.is_empty) return names;
   for (const MeshFormat<HexOutput>& format : kHexFormats)
     if (!which.for_display_only || is_for_display(format))
       names.push_back((which.is_partial ? "hexahedra.partial" : "hexahedra") + std::string(format.extension));

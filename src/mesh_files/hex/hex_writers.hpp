@@ -21,11 +21,15 @@ struct HexOutput {
 
   /// What files of text say of their content.
   std::string_view content() const {
-    return mesh.is_partial ? "partial: these hexahedra are not the whole model, or some are inverted"
-                           : "hexahedra with numbers of regions and faces";
+    if (mesh.is_partial)
+      return has_inverted ? "partial: these hexahedra are not the whole model, and some are inverted"
+                          : "partial: these hexahedra are not the whole model";
+    return has_inverted ? "some of these hexahedra are inverted"
+                        : "hexahedra with numbers of regions and faces";
   }
 
   const HexMesh& mesh;
+  bool has_inverted;
   std::vector<BoundarySide> sides;  ///< of HexMesh::boundary
   HexGroups groups;
 };
@@ -34,6 +38,7 @@ struct HexOutput {
 struct HexFilesOf {
   bool is_partial = false;  ///< HexMesh::is_partial
   bool for_display_only = false;
+  bool is_empty = false;  ///< without hexahedra there are no files
 };
 
 /// Those of a mesh.

@@ -75,13 +75,6 @@ export interface Warning {
   advice?: string;
 }
 
-/** One of the tries of a search for hexahedra. */
-export interface Attempt {
-  kind: string;
-  tets?: number;
-  tet_size?: number;
-}
-
 /** Of hexahedra that were made. */
 export interface HexReport {
   outcome: string;
@@ -105,9 +98,10 @@ export interface HexReport {
   largest_distance_place?: Vector;
   largest_distance_of_model?: number;
   largest_distance_of_model_place?: Vector;
-  attempts?: Attempt[];
-  /** Number of the attempt that made the mesh, from 0. */
-  best_attempt?: number;
+  /** Ctrl-C ended the search: the best mesh by then. */
+  is_stopped?: boolean;
+  /** Which attempt made it. */
+  way?: string;
 }
 
 /** A face of the model. */

@@ -7,7 +7,7 @@ import { hexahedron_centered_at, number_of } from "../scene/hexahedra.ts";
 import type { HexReport, Report } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
 import { sign, type Badge } from "./badge.ts";
-import { counted, duration, element, measured, memory, plural } from "./dom.ts";
+import { counted, duration, element, measured, memory } from "./dom.ts";
 import { hexahedra_text, hexahedron_title, shape_text } from "./hex_panel.ts";
 import type { Place } from "./place.ts";
 import { in_words, place_lists, worst_buttons, type Go } from "./places.ts";
@@ -20,18 +20,23 @@ const kOutcomes: Record<string, Badge> = {
   none: { judgement: "bad", short: "no mesh", sign: "!" },
 };
 
-/** Whether hexahedra fill the model; null if none were asked for. */
-export const hexahedra_badge = ({ hexahedra }: Report): Badge | null => (hexahedra ? (kOutcomes[hexahedra.outcome] ?? kOutcomes.partial) : null);
+/** Whether hexahedra fill the model, and whether something is wrong all the same; null if none were asked for. */
+export function hexahedra_badge({ hexahedra }: Report): Badge | null {
+  if (!hexahedra) return null;
+  const badge = kOutcomes[hexahedra.outcome] ?? kOutcomes.partial;
+  return badge.judgement === "good" && hexahedra.reason ? { ...badge, judgement: "unsure", sign: "!" } : badge;
+}
 
 /** The answer, why it is not another, and the worst hexahedron. */
 export function mesh_card(report: Report, scene: Scene | null, origin: Vector, go: Go | null): HTMLElement {
   const outcome = hexahedra_badge(report)!;
-  const { hexahedra, reason, next } = report.hexahedra!;
+  const { hexahedra, reason, next, is_stopped } = report.hexahedra!;
+  const why = [reason, next].filter(Boolean).join("; ");
   return element("div", { class: `verdict ${outcome.judgement}`, "data-testid": "hexahedra" },
     sign(outcome),
     element("div", {},
-      element("p", { class: "words" }, element("strong", { class: "verdict-text" }, outcome.short), `: ${hexahedra_text(hexahedra)}`),
-      reason ? element("p", { class: "fine" }, `${reason}${next ? `; ${next}` : ""}.`) : null,
+      element("p", { class: "words" }, element("strong", { class: "verdict-text" }, outcome.short), `${is_stopped ? ", the search was stopped" : ""}: ${hexahedra_text(hexahedra)}`),
+      why ? element("p", { class: "fine" }, `${why}.`) : null,
       worst_buttons([...worst_hexahedron(report, scene, origin), ...worst_fit(report, origin)], origin, go)),
   );
 }
@@ -80,7 +85,7 @@ export function mesh_numbers(report: Report, scene: Scene | null): HTMLElement[]
   list.append(number("Hexahedra", counted(mesh.hexahedra), expected_text(mesh), "number-hexahedra"));
   if (shapes && mesh.hexahedra > 0) list.append(number("Worst scaled Jacobian", shape_text(shapes.min), [worst_number(mesh, scene), `${measured(shapes.mean, 2)} in the mean`].filter(Boolean).join(", "), "number-worst"));
   if (report.seconds?.total !== undefined) list.append(number("Time", duration(report.seconds.total), report.peak_memory_bytes ? memory(report.peak_memory_bytes) : ""));
-  const facts: [string, string, string][] = [["Fit", fit_text(mesh, unit), "mesh-fit"], ["Inverted", shapes?.inverted ? counted(shapes.inverted) : "", "mesh-inverted"], ["Way", way_text(mesh), "mesh-way"], ["Files", files_text(report), "mesh-files"]];
+  const facts: [string, string, string][] = [["Fit", fit_text(mesh, unit), "mesh-fit"], ["Inverted", shapes?.inverted ? counted(shapes.inverted) : "", "mesh-inverted"], ["Way", mesh.way ?? "", "mesh-way"], ["Files", files_text(report), "mesh-files"]];
   const told = facts.filter(([, text]) => text !== "");
   return [list, element("dl", { class: "facts" }, ...told.flatMap(([name, text, test]) => [element("dt", {}, name), element("dd", { "data-testid": test }, text)]))];
 }
@@ -133,17 +138,6 @@ const kLeastDistance = 1e-6;
 function percent(ratio: number): string {
   const off = 100 * (ratio - 1);
   return Math.abs(off) < kLeastPercent ? "±0 %" : `${off < 0 ? "−" : "+"}${measured(Math.abs(off), 2)} %`;
-}
-
-const kWays: Record<string, string> = { repair: "repaired", "part of the model": "part of the model left out", "smaller hexahedra": "smaller hexahedra" };
-
-function way_text({ attempts = [], best_attempt = 0 }: HexReport): string {
-  const best = attempts[best_attempt];
-  if (!best) return "";
-  const along = best.tets ? `field on ${plural(best.tets, "tet")}` : "";
-  // Making tets is no attempt at a mesh.
-  const count_to = (end: number): string => counted(attempts.slice(0, end).filter(({ kind }) => kind !== "tets").length);
-  return [`attempt ${count_to(best_attempt + 1)} of ${count_to(attempts.length)}`, [along, kWays[best.kind] ?? ""].filter(Boolean).join(", ")].filter(Boolean).join(": ");
 }
 
 // What any result with hexahedra has, and how names of what was asked for besides begin.
