@@ -1,64 +1,90 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints, for each model, when `hex` first says how it will end, when it ends, and its words: first_words.py PROGRAM MODEL... [-- OPTION...]
+"""Prints, for each model, when `hex` first says how it will end, how it ends, and how good its forecast was.
 
-A table in Markdown: seconds to the first line that tells the outcome, seconds in all, exit code, the lines `hexahedra` and `worst`. The
-line that tells is that of the first attempt that fills the model, the line `hexahedra` itself, or an error, whichever comes first.
-Without options: --cells 20."""
+A table in Markdown: processor seconds to the first line that tells the outcome and in all, helpers included; exit code; number of
+hexahedra expected and made; the lines `hexahedra` and `worst`. Then how many forecasts were within a factor of two. The line that
+tells is that of the first attempt that fills the model, the line `hexahedra` itself, or an error, whichever comes first.
+"""
 import argparse
+import json
+import os
 import re
 import subprocess
 import sys
 import tempfile
 import threading
-import time
 from pathlib import Path
 
 TELLS = re.compile(r"^(hexahedra |attempt \d+: [\d,]+ hexahedr\w+ fills? |crossgrain: (?!warning))")
+WITHIN = 2
 
 
-def timed_lines(stream, begin, lines):
-    for line in iter(stream.readline, ""):
-        lines.append((time.monotonic() - begin, line.rstrip()))
+def processor_seconds(process):
+    """Of a running process and of those that it has waited for; none of one that has ended."""
+    try:
+        fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    except (FileNotFoundError, ProcessLookupError):
+        return float("inf")
+    return sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
 
 
-def run(program, model, options, limit):
-    with tempfile.TemporaryDirectory(prefix="crossgrain-words-") as folder:
-        begin = time.monotonic()
-        command = [program, "hex", model, "-o", f"{folder}/out", "--progress", *options]
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        lines = []
-        readers = [threading.Thread(target=timed_lines, args=(stream, begin, lines)) for stream in (process.stdout, process.stderr)]
-        for reader in readers:
-            reader.start()
-        try:
-            code = process.wait(timeout=limit)
-        except subprocess.TimeoutExpired:
-            process.terminate()
-            process.wait()
-            code = "limit"
-        for reader in readers:
-            reader.join()
-        return code, time.monotonic() - begin, sorted(lines, key=lambda line: line[0])
+class Reader(threading.Thread):
+    """Lines of a stream, each with the processor seconds until it came."""
+
+    def __init__(self, stream, process):
+        super().__init__()
+        self.stream, self.process, self.lines = stream, process, []
+        self.start()
+
+    def run(self):
+        for line in iter(self.stream.readline, ""):
+            self.lines.append((processor_seconds(self.process), line.rstrip()))
 
 
-def words_of(lines):
-    kept = [text.split(None, 1)[1] for _, text in lines if re.match(r"(hexahedra|worst) +\S", text)]
-    return "; ".join(kept) if kept else next((text for _, text in reversed(lines) if text.startswith("crossgrain:")), "")
+class Run:
+    def __init__(self, program, model, options, limit):
+        with tempfile.TemporaryDirectory(prefix="crossgrain-words-") as folder:
+            command = [program, "hex", model, "-o", f"{folder}/out", "--no-report", "--progress", *options]
+            process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            readers = [Reader(stream, process.pid) for stream in (process.stdout, process.stderr)]
+            ending = threading.Timer(limit, process.terminate)
+            ending.start()
+            _, status, used = os.wait4(process.pid, 0)
+            ending.cancel()
+            for reader in readers:
+                reader.join()
+            self.code, self.seconds = os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime
+            process.returncode = self.code
+            self.lines = sorted((line for reader in readers for line in reader.lines), key=lambda line: line[0])
+            report = Path(folder, "out", "report.json")
+            self.hexahedra = json.loads(report.read_text(encoding="utf-8"))["hexahedra"] if report.exists() else None
+
+    def first_word(self):
+        return min(self.seconds, next((at for at, text in self.lines if TELLS.search(text)), self.seconds))
+
+    def words(self):
+        kept = [text.split(None, 1)[1] for _, text in self.lines if re.match(r"(hexahedra|worst) +\S", text)]
+        return "; ".join(kept) if kept else next((text for _, text in reversed(self.lines) if text.startswith("crossgrain:")), "")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
-    parser.add_argument("models", nargs="+")
-    parser.add_argument("--limit", type=float, default=900, help="seconds after which a run is ended")
+    parser.add_argument("models", nargs="+", type=Path)
+    parser.add_argument("--limit", type=float, default=900, help="seconds after which a run is ended, with its best mesh")
     parser.add_argument("--options", default="--cells 20", help="of hex")
     arguments = parser.parse_args()
-    print("| model | first word, s | in all, s | exit | words |\n|---|---:|---:|---:|---|")
+    print("| model | first word | in all | exit | expected | made | words |\n|---|---:|---:|---:|---:|---:|---|")
+    ratios = {True: [], False: []}
     for model in arguments.models:
-        code, seconds, lines = run(arguments.program, model, arguments.options.split(), arguments.limit)
-        first = next((at for at, text in lines if TELLS.search(text)), seconds)
-        print(f"| {Path(model).name} | {first:.1f} | {seconds:.1f} | {code} | {words_of(lines)} |", flush=True)
+        run = Run(arguments.program, model, arguments.options.split(), arguments.limit)
+        expected, made = (run.hexahedra["expected"], run.hexahedra["hexahedra"]) if run.hexahedra else (0, 0)
+        if made > 0:
+            ratios[run.hexahedra["outcome"] == "all-hex"].append(max(expected, made) / min(expected, made))
+        print(f"| {model.name} | {run.first_word():.1f} | {run.seconds:.1f} | {run.code} | {expected:.0f} | {made} | {run.words()} |", flush=True)
+    for name, of in (("whole meshes", ratios[True]), ("all", ratios[True] + ratios[False])):
+        print(f"\n{sum(ratio <= WITHIN for ratio in of)} of {len(of)} {name} are within a factor of {WITHIN} of their forecast.")
 
 
 if __name__ == "__main__":
