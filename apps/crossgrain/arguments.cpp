@@ -31,7 +31,8 @@ const CLI::App& program_of(const CLI::App& command) {
   std::string name = "crossgrain";
   if (command != nullptr) name = program_of(*command).get_name();
   if (command != nullptr && command->get_parent() != nullptr) name += " " + command->get_name();
-  throw Error(ErrorKind::kUsage, line + "; try '" + name + " --help'");
+  // A question is an end of its own.
+  throw Error(ErrorKind::kUsage, line + (line.ends_with('?') ? " Try '" : "; try '") + name + " --help'");
 }
 
 /// Refuses an option, or argument by its place, that is given as an empty text.
