@@ -200,7 +200,8 @@ TEST_P(MakeTets, GivesTrianglesOfSharedModelsTheNumbersOfTheirCadFaces) {
   if (!std::filesystem::exists(models)) GTEST_SKIP() << "no models in " << models;
   std::vector<std::string> names{"s11o_cube_cyl.stp"};
   if (is_nightly())
-    names.insert(names.end(), {"i10o_simp.step", "base_interface_AP214.STEP", "featuretype.STEP", "i02o_m2.step"});
+    names.insert(names.end(),
+                 {"i10o_simp.step", "base_interface_AP214.STEP", "featuretype.STEP", "i02o_m2.step"});
   for (const std::string& name : names) {
     SCOPED_TRACE(name);
     ReadOptions fine;
