@@ -76,8 +76,9 @@ class Faces(CommandTest):
         self.assertAlmostEqual(hexahedra["model_volume"], 500 * math.pi, places=4)
         missed = 100 * (1 - hexahedra["volume"] / hexahedra["model_volume"])
         self.assertGreater(missed, 10)
-        self.assertIn(f"have {missed:.2g} % less volume than the model", self.warnings_of(report, "poor_fit")[0])
-        self.assertIn("less volume than the model", self.printed)
+        self.assertEqual(hexahedra["reason"], f"its volume is {missed:.2g} % below the model's")
+        self.assertEqual(hexahedra["remedy"], "use_hex_size")
+        self.assertIn(f"all-hex, but {hexahedra['reason']}: try --size {hexahedra['remedy_number']:g}", self.printed)
 
 
 if __name__ == "__main__":

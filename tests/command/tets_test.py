@@ -94,7 +94,7 @@ class Made(TetsTest):
         mesh = TaggedMesh(self.folder / "box.mesh")
         self.assertIn(f"{len(mesh.tets)} on {len(mesh.vertices)} vertices, in 1 region", result.stdout)
         self.assertIn(f"mean ratio {mesh.mean_ratios().min():.3g} at worst", result.stdout)
-        self.assertIn("6 faces", result.stdout)
+        self.assertIn("of 6 patches", result.stdout)
         self.assertIn("result     box.mesh", result.stdout)
         self.assertEqual(result.stderr, "")
         self.assertEqual(self.tets("box.stl", "--quiet").stdout, "")
