@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "command"))
 import numpy as np
 from field_reader import read_arrays
 from page_reader import Page
-from program import CommandTest, run
+from program import NIGHTLY, CommandTest, run
 
 MPI_PROGRAM = os.environ["CROSSGRAIN_MPI_PROGRAM"]
 MPIRUN = os.environ.get("CROSSGRAIN_MPIRUN", "mpirun")
@@ -164,9 +164,11 @@ class Fields(ProcessesTest):
     def test_of_degree_3_inside_a_curved_surface_are_the_same(self):
         self.assert_same_on((3,), self.write("sphere.stl", stl_of(sphere(48))), "--resolution", 48, "--degree", 3)
 
+    @unittest.skipUnless(NIGHTLY, "by night")
     def test_inside_an_open_surface_are_the_same(self):
         self.assert_same_on((2,), self.write("open.stl", stl_of(sphere(32, 0.8))), "--resolution", 50)
 
+    @unittest.skipUnless(NIGHTLY, "by night")
     def test_in_a_thin_wall_are_the_same(self):
         self.assert_same_on((2,), self.write("wall.stl", stl_of(box((4, 3, 0.02)))), "--resolution", 190)
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "crossgrain/solve.hpp"
+#include "support/nightly.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -53,20 +54,29 @@ struct Model {
 };
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all{{"bracket", make_bracket(32)},
-                                      {"torus", make_torus(1, 0.4, 48, 24)},
-                                      {"box with a hole", make_box_with_hole(48)},
-                                      {"cylinder", make_cylinder(0.55, 0.7, 64, 8)}};
+  static const std::vector<Model> all = [] {
+    std::vector<Model> some{{"bracket", make_bracket(32)}, {"cylinder", make_cylinder(0.55, 0.7, 64, 8)}};
+    if (is_nightly()) {
+      some.push_back({"torus", make_torus(1, 0.4, 48, 24)});
+      some.push_back({"box with a hole", make_box_with_hole(48)});
+    }
+    return some;
+  }();
   return all;
+}
+
+/// Returns the answer for a model as it is.
+const Answered& expected_of(const Model& model) {
+  static std::map<std::string, Answered> known;
+  if (!known.contains(model.name)) known[model.name] = answered(solved(model.mesh));
+  return known.at(model.name);
 }
 
 /// Compares each model with one that is the same but for `change`.
 template <class Change>
 void compare(double tolerance, const Change& change) {
   for (const Model& model : models()) {
-    static std::map<std::string, Answered> known;
-    if (!known.contains(model.name)) known[model.name] = answered(solved(model.mesh));
-    const Answered& expected = known.at(model.name);
+    const Answered& expected = expected_of(model);
     const Answered found = answered(solved(change(model.mesh)));
     EXPECT_TRUE(found.same_graph(expected)) << model.name;
     EXPECT_NEAR(found.energy / expected.energy, 1, tolerance) << model.name;
@@ -114,9 +124,9 @@ TEST(ASolve, DoesNotDependOnWhereTheModelIs) {
 
 TEST(ASolve, OfAModelScaledByAPowerOfTwoIsTheSameToTheBit) {
   for (const Model& model : models()) {
-    const FrameField field = solved(model.mesh), scaled = solved(scale_mesh(model.mesh, 1.0 / 64));
-    EXPECT_EQ(scaled.report().energy.total * 64, field.report().energy.total) << model.name;
-    EXPECT_EQ(scaled.singularities().arcs.size(), field.singularities().arcs.size()) << model.name;
+    const Answered scaled = answered(solved(scale_mesh(model.mesh, 1.0 / 64)));
+    EXPECT_EQ(scaled.energy * 64, expected_of(model).energy) << model.name;
+    EXPECT_TRUE(scaled.same_graph(expected_of(model))) << model.name;
   }
 }
 
