@@ -41,8 +41,8 @@ struct HexMeshingOptions {
 
   /// How tets are made of a model that has none; `unit` is for a file of tets too. A size that is given comes
   /// first. Without one their edges are 1.4 times those of the hexahedra, or 1.4 times the longest side over
-  /// `tets.edges`, whichever is less; where these are more than 50,000 tets, four times the size is taken, or
-  /// eight, and so on. Their crease angle and limit of memory are their own: give those of `solve` too.
+  /// `tets.edges`, whichever is less; where these are more than 50,000 tets, four times the size is taken.
+  /// Their crease angle and limit of memory are their own: give those of `solve` too.
   TetMakingOptions tets;
 
   /// How tags of given tets are read.

@@ -26,8 +26,8 @@ struct MeshingTuning {
   /// No further size is tried after so many.
   std::size_t most_sizes = 5;
 
-  /// Sizes with more tets than this are not tried, but for a first one that the user gives, and where no
-  /// size has fewer.
+  /// Sizes with more tets than this are not tried, but for a first one that the user gives, and for the
+  /// coarsest where the first has more.
   std::size_t large_tets = kLargeTets;
 };
 

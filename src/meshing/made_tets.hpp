@@ -50,7 +50,6 @@ class MadeTets : public AttemptKind {
   std::size_t sizes_ = 0;   ///< that were tried
   std::size_t at_ = 0;      ///< the next of MeshingTuning::tet_shares
   double large_share_ = 0;  ///< this and finer sizes have too many tets
-  double longest_ = 0;      ///< side of the model
   bool has_warned_ = false;
   HexExpectation::TetSize size_;  ///< of the last tets
   std::vector<Made> made_;        ///< in all rounds

@@ -184,13 +184,9 @@ TEST_F(HexMeshing, TellsBeforeTheWorkThatTheFirstSizeHasTooManyTets) {
   EXPECT_LE(expected.tets, 500u);
 }
 
-TEST_F(HexMeshing, TakesStillCoarserTetsUntilTheyAreNotTooMany) {
+TEST_F(HexMeshing, TakesTheCoarsestTetsHoweverManyThatAre) {
   const std::size_t of_coarse = expected_of_box(500).tets;
-  const HexExpectation expected = expected_of_box(of_coarse - 1);
-  EXPECT_NEAR(expected.tet_size.used, 8 * 0.28, 1e-9);
-  EXPECT_LT(expected.tets, of_coarse);
-  // No size has so few: as coarse as the model.
-  EXPECT_LE(expected_of_box(1).tet_size.used, 4.0);
+  EXPECT_NEAR(expected_of_box(of_coarse - 1).tet_size.used, 4 * 0.28, 1e-9);
 }
 
 TEST_F(HexMeshing, WarnsBeforeManyTetsThatAreAskedForAreMade) {
