@@ -20,5 +20,4 @@ if command -v ccache >/dev/null; then launcher=ccache; fi
 cmake -S "$root" -B "$build" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release \
   -DCROSSGRAIN_BUILD_TESTS=ON -DCROSSGRAIN_WARNINGS_AS_ERRORS=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >/dev/null
 cmake --build "$build"
-# One more than there are processors: tests wait too, for timers, disks and browsers.
-ctest --test-dir "$build" --output-on-failure --parallel "$(($(nproc) + 1))" "${selection[@]}" "$@"
+ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "${selection[@]}" "$@"
