@@ -34,8 +34,7 @@ constexpr int kLifelineDescriptor = 4;
 
 /// Starts a helper, "$0" with arguments "$@", in the process of the shell, and a guard beside it in the same
 /// session. The guard kills the session once no process holds the other end of its pipe any more: when this
-/// process has ended, however it did. The helper is asked for nothing, so this holds for scripts and for what
-/// they start.
+/// process has ended, however it did. So scripts end too, and what they have started.
 constexpr const char* kGuardedStart =
     "(exec >/dev/null 2>&1 3>&-; read -r _ <&4; kill -s KILL -- -$$) & exec \"$0\" \"$@\" 4<&-";
 
