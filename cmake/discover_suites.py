@@ -35,7 +35,7 @@ def added(program, name, tests, labels):
 
 
 def main(program, prefix, output, slow=""):
-    kinds = [("-" + slow if slow else "*", "", ""), *([(slow, ".slow", " LABELS slow")] if slow else [])]
+    kinds = [("-" + slow if slow else "*", "", ""), *([(slow, ".slow", " LABELS slow COST 10")] if slow else [])]
     suites = [(suites_of(program, passing), ending, labels) for passing, ending, labels in kinds]
     text = "".join(added(program, f"{prefix}.{suite.removesuffix('.')}{ending}", tests, labels)
                    for found, ending, labels in suites for suite, tests in found.items())
