@@ -144,7 +144,7 @@ class HexTest(CommandTest):
 
     def write_fan(self):
         """Five tets around an axis, which have no map."""
-        tips = [(0, 0, 1.5), (0, 0, -1.5)]
+        tips = [(0, 0, 1.5), (0, 0, 0)]
         rim = [(np.cos(2 * np.pi * k / 5), np.sin(2 * np.pi * k / 5), 0) for k in range(5)]
         self.write("fan.mesh", medit_text(np.array(tips + rim), np.array([(0, 1, 2 + k, 2 + (k + 1) % 5) for k in range(5)])))
 
