@@ -27,28 +27,32 @@ class HexSolidsTest(CommandTest):
         return next(line for line in self.result.stdout.splitlines() if line.startswith("hexahedra"))
 
 
+# Boxes need no more tets.
+FEW = ("--size", "1", "--tet-size", "1")
+
+
 class OfTriangles(HexSolidsTest):
     def test_touching_bodies_are_no_success(self):
         low, high = box_triangles((4.0, 4.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (0.7, 0.9, 2)
         self.write("two.stl", stl_bytes(np.concatenate([low, high])))
-        line = self.hex("two.stl", "--size", "1", code=NOT_ALL_HEX)
+        line = self.hex("two.stl", *FEW, code=NOT_ALL_HEX)
         self.assertRegex(line, "flawed.* in 2 bodies.*solids 1 and 2 touch, but are meshed apart.* at .*; unite them")
         self.assertEqual(self.report["hexahedra"]["outcome"], "flawed")
         self.assertEqual(self.result.stderr.count("warning: "), 1, self.result.stderr)
         # What it says helps.
         self.write("one.stl", stl_bytes(box_triangles((4.0, 4.0, 4.0))))
-        self.assertIn("all-hex", self.hex("one.stl", "--size", "1"))
+        self.assertIn("all-hex", self.hex("one.stl", *FEW))
 
     def test_bodies_apart_are_two_parts_of_one_mesh(self):
         self.write("two.stl", stl_bytes(np.concatenate([box_triangles((2.0, 2.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (3, 0, 0)])))
-        self.assertRegex(self.hex("two.stl", "--size", "1"), "all-hex: 16 of 1 in 2 bodies")
+        self.assertRegex(self.hex("two.stl", *FEW), "all-hex: 16 of 1 in 2 bodies")
 
     def test_what_is_warned_of_before_the_work_is_not_said_again(self):
         triangles = box_triangles((2.0, 2.0, 2.0))
         at_origin = np.argwhere((triangles == 0).all(axis=2))
         triangles[tuple(at_origin[0])] = 1e-17  # a crack, which is merged
         self.write("cracked.stl", stl_bytes(triangles))
-        self.assertRegex(self.hex("cracked.stl", "--size", "1"), "all-hex: 8 of 1")
+        self.assertRegex(self.hex("cracked.stl", *FEW), "all-hex: 8 of 1")
         warnings = [line for line in self.result.stderr.splitlines() if "warning: " in line]
         self.assertEqual(len(warnings), 1, warnings)
         self.assertRegex(warnings[0], "cracks: ")
