@@ -16,10 +16,10 @@ import { scene_named } from "../../viewer/tests/scenes.mjs";
 import { filled_page } from "../../viewer/tests/scene_writer.mjs";
 
 // WebGL is drawn by software. What is around it needs no GPU, whose shaders software would compile too, and pages share one process, since
-// each new one costs a second.
+// each new one costs a second. With several samples a pixel a picture takes twice as long.
 const kArguments = [
   "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-color-profile=srgb",
-  "--disable-gpu-compositing", "--renderer-process-limit=1",
+  "--disable-gpu-compositing", "--renderer-process-limit=1", "--webgl-antialiasing-mode=none",
 ];
 // Half a device pixel a CSS pixel: software draws a quarter as many, and everything else is as large as it is on a desktop or a phone.
 export const kDesktop = { viewport: { width: 1440, height: 900 }, deviceScaleFactor: 0.5 };
@@ -75,6 +75,14 @@ export async function open(address, { device = kDesktop, scheme = "light", befor
   await page.goto(address);
   await page.evaluate(() => window.crossgrain.ready);
   return { page, problems, opened_ms: Date.now() - start, opened_in: scheme };
+}
+
+/** Takes WebGL from a page, which shows numbers only then: for `before` of open(). */
+export function without_webgl() {
+  const own = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    return kind.startsWith("webgl") ? null : own.call(this, kind, ...rest);
+  };
 }
 
 const shared = new Map();

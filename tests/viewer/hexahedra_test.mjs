@@ -6,7 +6,7 @@ import { test } from "node:test";
 
 import { filled_page } from "../../viewer/tests/scene_writer.mjs";
 import { center_of as center_of_points, hex_mesh } from "../../viewer/tests/hex_scene.mjs";
-import { check_opening, check_said_once, difference, keep_screenshot, kPhone, open, page_file, picture, scene_file, scene_named, shared_page, state, template } from "./browser.mjs";
+import { check_opening, check_said_once, difference, keep_screenshot, kPhone, open, page_file, picture, scene_named, shared_page, state, template } from "./browser.mjs";
 
 const by_test = (name) => `[data-testid="${name}"]`;
 const mesh = hex_mesh();
@@ -61,10 +61,10 @@ test("a limit leaves the hexahedra of worse shapes, and goes into links", async 
   await keep_screenshot(page, "hexahedra-below-desktop-light");
   const link = await page.evaluate(() => window.crossgrain.link());
   assert.match(link, /below=0\.9/);
-  const other = await open(scene_file("hexahedra") + new URL(link).hash);
-  assert.equal((await state(other.page)).below, 0.9);
-  assert.equal((await state(other.page)).hexahedra, expected);
-  await other.page.close();
+  await change(page, { below: 1 });
+  await page.evaluate((hash) => (location.hash = hash), new URL(link).hash);
+  await page.waitForFunction(() => window.crossgrain.state().below === 0.9);
+  assert.equal((await state(page)).hexahedra, expected);
   await page.locator(by_test("below")).fill("0");
   assert.equal((await state(page)).hexahedra, 1);
   await change(page, { below: 1 });

@@ -10,7 +10,7 @@ import { join } from "node:path";
 import { after, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
-import { drawn_share, keep_screenshot, kPhone, open } from "./browser.mjs";
+import { drawn_share, keep_screenshot, kPhone, open, without_webgl } from "./browser.mjs";
 
 const program = process.env.CROSSGRAIN_PROGRAM;
 const skip = program ? false : "CROSSGRAIN_PROGRAM names no program";
@@ -23,7 +23,7 @@ let solved = null;
 /** The report of the part and its page, solved and opened when it is first asked for. */
 function solved_page() {
   return (solved ??= (async () => {
-    execFileSync(program, ["solve", model, "-o", folder, "--quiet", "--resolution", "48"]);
+    execFileSync(program, ["solve", model, "-o", folder, "--quiet", "--resolution", "32"]);
     const report = JSON.parse(readFileSync(join(folder, "report.json"), "utf8"));
     return { report, ...(await open(pathToFileURL(join(folder, "report.html")).href)) };
   })());
@@ -81,7 +81,8 @@ for (const [name, model_text, words] of [["box", box(1.5), "hexahedra fit locall
     // The page names what is to be set; the program, its option.
     const answer = execFileSync(program, ["check", out], { encoding: "utf8" }).split("\n")[0].replace("solve with --resolution", "use a resolution of");
     assert.ok(answer.startsWith(words), answer);
-    const { page, problems } = await open(pathToFileURL(join(out, "report.html")).href, { device: kPhone });
+    // The answer stands beside the view, and without one.
+    const { page, problems } = await open(pathToFileURL(join(out, "report.html")).href, { device: kPhone, before: without_webgl });
     assert.match(await page.locator('[data-testid="badge"]').textContent(), new RegExp(`${words}$`));
     assert.ok(await page.locator('[data-testid="badge"]').isVisible());
     await page.locator('[data-testid="tab-field"]').tap();
