@@ -199,8 +199,8 @@ class HexahedraOfModels(WithFolder):
 
     def test_that_do_not_fill_the_model_say_why(self):
         angles = 2 * np.pi / 5 * np.arange(5)
-        points = np.vstack([np.c_[np.cos(angles), np.sin(angles), 0 * angles], [[0, 0, 1], [0, 0, -1]]])
-        mesh = cg.hex(points, [[6, 5, k, (k + 1) % 5] for k in range(5)], cells=3)
+        points = np.vstack([[[0, 0, 1.5], [0, 0, 0]], np.c_[np.cos(angles), np.sin(angles), 0 * angles]])
+        mesh = cg.hex(points, [[0, 1, 2 + k, 2 + (k + 1) % 5] for k in range(5)], cells=3)
         self.assertFalse(mesh.is_all_hex)
         self.assertTrue(mesh.reason)
         self.assertIn(mesh.report["hexahedra"]["reason"], str(mesh))
