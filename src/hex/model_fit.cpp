@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/digits.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/place.hpp"
@@ -223,9 +224,7 @@ std::optional<double> size_for_volume(const HexReport& report, std::size_t quads
   const double missed = std::abs(volume_missed(report));
   if (missed <= kPoorVolume) return std::nullopt;
   const double edge = std::min(report.used_size, std::sqrt(report.area / static_cast<double>(quads)));
-  const double size = edge * std::sqrt(kAimedVolume / missed);
-  const double unit = std::pow(10, std::floor(std::log10(size)) - 1);
-  return unit * std::floor(size / unit);
+  return rounded_down(edge * std::sqrt(kAimedVolume / missed), 2);
 }
 
 std::optional<Warning> poor_fit(const HexReport& report) {

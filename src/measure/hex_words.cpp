@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/digits.hpp"
 #include "base/names.hpp"
 #include "crossgrain/hex_report.hpp"
 #include "crossgrain/message.hpp"
@@ -40,6 +41,13 @@ std::string sizes_of(const HexReport& report) {
   const double size = is_smaller ? report.used_size : std::cbrt(report.volume / made);
   return fmt::format("{} of {:.3g}{}, not about {:.0f} of {:.3g}: {}", report.hexahedra, size,
                      is_smaller ? "" : " in the mean", expected, report.size, reason);
+}
+
+/// Adds to the size that is to be tried about how many hexahedra it makes.
+std::string with_count(const HexReport& report, const std::string& remedy_words) {
+  const double volume = report.model_volume;
+  if (report.remedy != Remedy::kUseHexSize || remedy_words.empty() || volume <= 0) return remedy_words;
+  return fmt::format("{} ({})", remedy_words, about(volume / std::pow(report.remedy_number, 3)));
 }
 
 /// Says so of shapes that are too poor to compute on, where none is inverted.
@@ -84,10 +92,11 @@ std::string sentence_of(const HexReport& report, const std::string& remedy_words
   std::string sizes;
   if (report.hexahedra > 0) sizes = sizes_of(report);
   if (report.bodies > 1) sizes += fmt::format(" in {}", counted(report.bodies, "body", "bodies"));
+  const std::string remedy = with_count(report, remedy_words);
   if (report.outcome == HexOutcome::kAllHex && !report.reason.empty())
-    return text + ", but " + report.reason + (remedy_words.empty() ? "" : ": " + remedy_words) + "; " + sizes;
+    return text + ", but " + report.reason + (remedy.empty() ? "" : ": " + remedy) + "; " + sizes;
   std::vector<std::string> parts;
-  for (const std::string& part : {sizes, words_of_shapes(report), report.reason, remedy_words})
+  for (const std::string& part : {sizes, words_of_shapes(report), report.reason, remedy})
     if (!part.empty()) parts.push_back(part);
   return parts.empty() ? text : fmt::format("{}: {}", text, fmt::join(parts, "; "));
 }

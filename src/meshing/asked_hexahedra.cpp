@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/digits.hpp"
 #include "crossgrain/error.hpp"
 #include "meshing/hexahedra_of_models.hpp"
 
@@ -51,12 +52,15 @@ void AskedHexahedra::check(const SearchableSurface& surface) {
   }
   const double thickness = usual_thickness(surface.bvh());
   if (kAcross * size <= thickness) return;
+  const double enough = rounded_down(thickness / kAcross, 2);
+  const double of_enough = part.volume / enough / enough / enough;
+  const bool are_made = of_enough <= kMostHexahedra;
   warn({WarningKind::kThinPart,
-        fmt::format("less than {:g} hexahedra of {} fit across most of the part, which is {} thick there; a "
-                    "size of {:.2g} would leave {:g}",
-                    kAcross, length_text(size, part.unit), length_text(thickness, part.unit),
-                    thickness / kAcross, kAcross),
-        Remedy::kTakeSmallerHexahedra});
+        fmt::format("less than {:g} hexahedra of {} fit across most of the part, which is {} thick there; "
+                    "a size of {:g} would leave {:g}, {} of them{}",
+                    kAcross, length_text(size, part.unit), length_text(thickness, part.unit), enough, kAcross,
+                    about(of_enough), are_made ? "" : ", more than are made"),
+        are_made ? Remedy::kTakeSmallerHexahedra : Remedy::kNone});
 }
 
 void AskedHexahedra::warn_of_many_tets(const PartSize& part) {

@@ -186,9 +186,9 @@ class HexTest(CommandTest):
         made = self.hexahedra("cylinder.stl", "--size", "0.5", "--tet-size", "0.5")
         off = 100 * (1 - made["volume"] / made["model_volume"])
         row = next(line for line in self.result.stdout.splitlines() if line.startswith("hexahedra"))
-        self.assertRegex(row, rf"^hexahedra  all-hex, but its volume is {off:.2g} % below the model's: try --size [\d.]+; \d+ of 0.5")
+        self.assertRegex(row, rf"^hexahedra  all-hex, but its volume is {off:.2g} % below the model's: try --size [\d.]+ \(about \d+\); \d+ of 0.5")
         self.assertEqual(made["remedy"], "use_hex_size")
-        self.assertIn(f"try --size {made['remedy_number']:g}; ", row)
+        self.assertIn(f"try --size {made['remedy_number']:g} (about ", row)
         self.assertNotIn("volume than the model", self.result.stdout)
         # What it says helps.
         self.assertNotIn("reason", self.hexahedra("cylinder.stl", "--size", f"{made['remedy_number']:g}", "--tet-size", "0.5"))

@@ -51,10 +51,12 @@ TEST(SentenceOfHexahedra, TellsFirstWhatIsWrongWithAWholeMeshAndWhatHelps) {
   report.reason = "its volume is 22 % below the model's";
   report.remedy = Remedy::kUseHexSize;
   report.remedy_number = 0.15;
-  EXPECT_EQ(sentence_of(report, "try --size 0.15"),
-            "all-hex, but its volume is 22 % below the model's: try --size 0.15; 1000 of 2");
+  EXPECT_EQ(
+      sentence_of(report, "try --size 0.15"),
+      "all-hex, but its volume is 22 % below the model's: try --size 0.15 (about 2.4 million); 1000 of 2");
   EXPECT_EQ(sentence_of(report),
-            "all-hex, but its volume is 22 % below the model's: use hexahedra of 0.15; 1000 of 2");
+            "all-hex, but its volume is 22 % below the model's: use hexahedra of 0.15 (about 2.4 million); "
+            "1000 of 2");
 }
 
 TEST(SentenceOfHexahedra, TellsFirstThatTheSearchWasStopped) {
