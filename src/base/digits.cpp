@@ -30,11 +30,12 @@ double rounded_down(double limit, int digits) {
 }
 
 std::string about(double count) {
-  constexpr double kMillion = 1e6;
+  constexpr double kMillion = 1e6, kBillion = 1e9;
   count = std::max(1.0, count);
   const double rounded = scaled(std::round(scaled(count, -decimals_of(count, 2))), decimals_of(count, 2));
+  if (rounded >= kBillion) return fmt::format("about {:.2g} billion", rounded / kBillion);
   return rounded < kMillion ? fmt::format("about {:.0f}", rounded)
-                            : fmt::format("about {:.2g} million", rounded / kMillion);
+                            : fmt::format("about {:.3g} million", rounded / kMillion);
 }
 
 }  // namespace crossgrain

@@ -48,7 +48,7 @@ void add_faces(const HexMesh& mesh, const TetSolid& solid, const HexReport& repo
   count_quads(mesh, whole.faces);
   if (report.outcome == HexOutcome::kPartial || report.outcome == HexOutcome::kNone) return;
   for (std::optional<Warning>& warning :
-       std::array{faces_without_quads(whole.faces, solid, report.used_size), poor_fit(report)})
+       std::array{faces_without_quads(whole.faces, solid, report), poor_fit(report)})
     if (warning) whole.warnings.push_back(std::move(*warning));
 }
 

@@ -16,6 +16,7 @@
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/place.hpp"
+#include "hex/hex_forecast.hpp"
 #include "measure/fault_words.hpp"
 #include "measure/hex_quality.hpp"
 #include "surface/bvh.hpp"
@@ -125,6 +126,20 @@ const char* words_of(FaceKind kind) {
   return kWords.at(static_cast<std::size_t>(kind));
 }
 
+/// What to do about hexahedra that are larger than a width.
+struct Smaller {
+  std::string words;
+  Remedy remedy = Remedy::kTakeSmallerHexahedra;
+};
+
+Smaller smaller_for(double width, double model_volume) {
+  if (!(width > 0) || !(model_volume > 0)) return {};
+  const double size = rounded_down(width, 2), count = model_volume / size / size / size;
+  const std::string words = fmt::format("; a size of {:g} fits across, {} of them", size, about(count));
+  if (count > kMostHexahedra) return {words + ", more than are made", Remedy::kNone};
+  return {words};
+}
+
 double volume_missed(const HexReport& report) {
   return report.hexahedra == 0 || report.model_volume <= 0 ? 0 : report.volume / report.model_volume - 1;
 }
@@ -183,7 +198,7 @@ void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces) {
 }
 
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
-                                           double size) {
+                                           const HexReport& report) {
   std::vector<ModelFace> bare;
   for (const ModelFace& face : faces)
     if (face.quads == std::size_t{0}) bare.push_back(face);
@@ -195,12 +210,14 @@ std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, 
   std::string text =
       fmt::format("{} of the model {} no quads: ", counted(bare.size(), noun.one, noun.several),
                   bare.size() == 1 ? "has" : "have");
+  double narrowest = report.used_size;
   bool are_narrow = true;
   const double extent = longest_side(box_of(tets.mesh.vertices));
   for (std::size_t k = 0; k < bare.size(); ++k) {
     const ModelFace& face = bare[k];
     const double width = width_of(face, tets, tags);
-    are_narrow = are_narrow && width < size;
+    are_narrow = are_narrow && width < report.used_size;
+    narrowest = std::min(narrowest, width);
     if (k >= kMostNamed) continue;
     const bool is_patch = face.kind == FaceKind::kPatch;
     text += fmt::format("{}{} {}{} of area {:.3g}", k > 0 ? "; " : "", noun.one, face.number,
@@ -210,8 +227,9 @@ std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, 
   }
   if (bare.size() > kMostNamed) text += fmt::format("; and {} more", bare.size() - kMostNamed);
   if (!are_narrow) return Warning(WarningKind::kFacesWithoutQuads, std::move(text));
-  text += fmt::format("; the hexahedra of {:.3g} are larger", size);
-  return Warning(WarningKind::kFacesWithoutQuads, std::move(text), Remedy::kTakeSmallerHexahedra);
+  text += fmt::format("; the hexahedra of {:.3g} are larger", report.used_size);
+  const Smaller smaller = smaller_for(narrowest, report.model_volume);
+  return Warning(WarningKind::kFacesWithoutQuads, text + smaller.words, smaller.remedy);
 }
 
 std::string words_of_volume(const HexReport& report) {

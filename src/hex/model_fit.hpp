@@ -34,9 +34,10 @@ void measure_fit(const HexMesh& mesh, const TetSolid& tets, HexReport& report);
 /// Fills in ModelFace::quads of the faces that bound the model, unless the boundary has no tags.
 void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces);
 
-/// A warning with the list of faces that have no quads; none if all have some. `tets` are tagged.
+/// A warning with the list of faces that have no quads, and the size that fits across them if they are
+/// narrow; none if all have some. `tets` are tagged. The report has the size and the volume.
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
-                                           double size);
+                                           const HexReport& report);
 
 /// Returns how far the volume of hexahedra is off the model's: "its volume is 22 % below the model's".
 std::string words_of_volume(const HexReport& report);

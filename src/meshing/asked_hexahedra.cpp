@@ -8,6 +8,7 @@
 
 #include "base/digits.hpp"
 #include "crossgrain/error.hpp"
+#include "hex/hex_forecast.hpp"
 #include "meshing/hexahedra_of_models.hpp"
 
 namespace crossgrain {
@@ -16,10 +17,6 @@ namespace {
 /// Hexahedra that must fit across most of a part: with one, a wall has no vertex inside, and a map must round
 /// both of its sides to neighbouring planes.
 constexpr double kAcross = 2;
-
-/// Hexahedra whose tets are not too many to be made: a third of the 20 million that make_tets allows, whose
-/// edges are 1.4 times as long.
-constexpr double kMostHexahedra = 6.5e6;
 
 void check_count(double expected, double size, const PartSize& part) {
   if (expected <= kMostHexahedra) return;

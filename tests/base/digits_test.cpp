@@ -23,7 +23,8 @@ TEST(ForecastCounts, HaveTwoDigits) {
   EXPECT_EQ(about(12), "about 12");
   EXPECT_EQ(about(0.3), "about 1");
   EXPECT_EQ(about(2.345e6), "about 2.3 million");
-  EXPECT_EQ(about(45.6e6), "about 46 million");
+  EXPECT_EQ(about(456e6), "about 460 million");
+  EXPECT_EQ(about(4.56e9), "about 4.6 billion");
 }
 
 }  // namespace

@@ -151,20 +151,31 @@ TEST(FacesWithoutQuads, AreWarnedOfWithTheirWidth) {
   const TetSolid tets = tets_of(mesh);
   ModelFace face{7, FaceKind::kPlane, 12, {2, 1.5, 2}};
   face.quads = 0;
-  const auto warning = faces_without_quads({face}, tets, 3);
+  HexReport report;
+  report.used_size = 3;
+  report.model_volume = 24;
+  const auto warning = faces_without_quads({face}, tets, report);
   ASSERT_TRUE(warning);
   EXPECT_EQ(warning->kind, WarningKind::kFacesWithoutQuads);
   EXPECT_EQ(
       warning->text,
       "1 face of the model has no quads: face 7, a plane of area 12 and about 2.4 wide, around 2 1.5 2; "
-      "the hexahedra of 3 are larger");
+      "the hexahedra of 3 are larger; a size of 2.4 fits across, about 2 of them");
   EXPECT_EQ(warning->remedy, Remedy::kTakeSmallerHexahedra);
-  EXPECT_EQ(faces_without_quads({face}, tets, 1)->remedy, Remedy::kNone);
-  const auto many = faces_without_quads(std::vector<ModelFace>(8, face), tets, 3);
+  const auto many = faces_without_quads(std::vector<ModelFace>(8, face), tets, report);
   EXPECT_NE(many->text.find("8 faces of the model have no quads"), std::string::npos) << many->text;
   EXPECT_NE(many->text.find("; and 3 more"), std::string::npos) << many->text;
   face.quads = 1;
-  EXPECT_FALSE(faces_without_quads({face}, tets, 3));
+  EXPECT_FALSE(faces_without_quads({face}, tets, report));
+  face.quads = 0;
+  face.area = 0.01;
+  const auto thin = faces_without_quads({face}, tets, report);
+  EXPECT_NE(thin->text.find("; a size of 0.002 fits across, about 3 billion"), std::string::npos)
+      << thin->text;
+  EXPECT_EQ(thin->remedy, Remedy::kNone) << "so many are not made";
+  report.used_size = 1;
+  face.area = 12;
+  EXPECT_EQ(faces_without_quads({face}, tets, report)->remedy, Remedy::kNone);
 }
 
 }  // namespace
