@@ -65,6 +65,7 @@ struct HexReport {
   std::size_t bodies = 0;    ///< sets of hexahedra connected over faces
   bool is_coarse = false;    ///< far fewer than would fill the model at `size`
   std::size_t left_out = 0;  ///< cells of the grid that the map covers more than once, or without a corner
+  Vector3 left_out_place{0, 0, 0};  ///< of the first
 
   /// Faces on the same side of two hexahedra or of three; edges and vertices at which the boundary is no
   /// closed surface.
@@ -109,7 +110,7 @@ struct HexReport {
          analysis_seconds = 0;
 };
 
-/// Returns the report as a sentence: "all-hex: 1268 of 2", with reason and remedy, whether the search was
+/// Returns the report as a sentence: "all-hex: 1268 of 2", what a part lacks, with reason and remedy, whether the search was
 /// stopped, and their size and number beside those expected where they differ.
 std::string sentence_of(const HexReport& report);
 

@@ -58,7 +58,7 @@ MadeHexahedra made_of(const FollowedField& followed, const FollowingMap& followi
   const double model_volume = volume_of(solid.mesh);
   made.is_coarse =
       static_cast<double>(mesh.hexahedra.size()) < kLeastShare * model_volume / std::pow(asked_size, 3);
-  made.left_out = following.extracted.left_out;
+  made.left_out = following.extracted.left_out.size();
   const std::vector<double> volumes = volumes_of(made.mesh);
   made.volume_missed = std::abs(std::accumulate(volumes.begin(), volumes.end(), 0.0) / model_volume - 1);
   return made;

@@ -276,7 +276,7 @@ class Extraction {
       for (std::size_t k = 0; k < 8; ++k) hexahedron[k] = corners.root(corner(c, k));
       const std::set<std::uint32_t> different(hexahedron.begin(), hexahedron.end());
       if (!is_hexahedron(c) || different.size() < 8 || *different.rbegin() >= first_vertices_.back()) {
-        ++result.left_out;
+        result.left_out.push_back(components_[c].pieces.front().tet);
         continue;
       }
       for (std::uint32_t& vertex : hexahedron) {

@@ -29,11 +29,11 @@ struct ExtractedHexahedra {
   std::vector<Carrier> carriers;           ///< of the vertices
   std::vector<std::uint32_t> centre_tets;  ///< of the hexahedra: the tet at the middle of the cell
 
-  /// Cells of the grid that the map covers, but not just once, or of which a corner is missing.
-  std::size_t left_out = 0;
+  /// Cells of the grid that the map covers, but not just once, or of which a corner is missing: a tet of each.
+  std::vector<std::uint32_t> left_out;
   std::size_t flipped_tets = 0;  ///< flat ones among them, in exact arithmetic
 
-  bool is_complete() const { return left_out == 0; }
+  bool is_complete() const { return left_out.empty(); }
 };
 
 /// The cells of the unit grid, pulled back to the solid by a map that has integers where hexahedra need them

@@ -20,6 +20,7 @@
 #include "measure/fault_words.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -45,9 +46,7 @@ std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<do
   std::sort(flipped.begin(), flipped.end());
   std::vector<Vector3> places;
   for (const auto& [determinant, t] : flipped) {
-    Vector3 centre{0, 0, 0};
-    for (const std::uint32_t v : solid.mesh.tets[t]) centre += 0.25 * solid.mesh.vertices[v];
-    places.push_back(centre);
+    places.push_back(centroid_of_tet(solid.mesh, t));
   }
   return places;
 }
@@ -129,11 +128,14 @@ Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
                         by_rounding ? " with whole numbers of hexahedra" : ""),
             Remedy::kUseEdgeLength, places_of_flips(best.followed->solid(), best.following->determinants)};
   }
-  if (const std::size_t left_out = best.following->extracted.left_out; left_out > 0)
-    return {
-        "hexahedra would overlap, or lack a corner",
-        fmt::format("{} of the grid, covered more than once or without a corner", counted(left_out, "cell")),
-        Remedy::kUseEdgeLength};
+  if (const std::vector<std::uint32_t>& left_out = best.following->extracted.left_out; !left_out.empty()) {
+    std::vector<Vector3> places;
+    for (const std::uint32_t t : left_out) places.push_back(centroid_of_tet(best.followed->solid().mesh, t));
+    return {"a hexahedron would overlap others, or lack a corner",
+            fmt::format("{} of the grid, covered more than once or without a corner",
+                        counted(left_out.size(), "cell")),
+            Remedy::kUseEdgeLength, std::move(places)};
+  }
   return {"hexahedra leave gaps, or cut off parts of the model", "", Remedy::kUseEdgeLength};
 }
 

@@ -77,7 +77,9 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   mesh.unit = field.domain().mesh().unit;
   add_tags(followed.solid(), MapSurface(followed.matched()), best.following->feet, extracted.centre_tets,
            mesh);
-  report.left_out = extracted.left_out;
+  report.left_out = extracted.left_out.size();
+  if (report.left_out > 0)
+    report.left_out_place = centroid_of_tet(followed.solid().mesh, extracted.left_out.front());
   measure(mesh, followed.solid(), report);
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
   mesh.is_partial = is_partial(report.outcome);

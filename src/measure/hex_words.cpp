@@ -34,7 +34,10 @@ std::string sizes_of(const HexReport& report) {
   const bool is_smaller = report.used_size<report.size, is_more = made> kAsExpected * expected,
              is_less = made * kAsExpected < expected;
   if (!is_whole || !(is_smaller || is_more || is_less))
-    return fmt::format("{} of {:.3g}", report.hexahedra, report.used_size);
+    return fmt::format(
+        "{} of {:.3g}",
+        is_whole ? std::to_string(report.hexahedra) : counted(report.hexahedra, "hexahedron", "hexahedra"),
+        report.used_size);
   const char* const reason = is_smaller ? "larger ones would be turned inside out"
                              : is_more  ? "each wall and gap has one across"
                                         : "the field leaves room for fewer";
@@ -48,6 +51,15 @@ std::string with_count(const HexReport& report, const std::string& remedy_words)
   const double volume = report.model_volume;
   if (report.remedy != Remedy::kUseHexSize || remedy_words.empty() || volume <= 0) return remedy_words;
   return fmt::format("{} ({})", remedy_words, about(volume / std::pow(report.remedy_number, 3)));
+}
+
+/// Returns what a part of the model lacks: ", 1 cell left out near 1 2 3".
+std::string lacking(const HexReport& report) {
+  std::string text;
+  if (report.left_out > 0)
+    text += fmt::format(", {} left out near {}", counted(report.left_out, "cell"),
+                        words_of_place(report.left_out_place, std::cbrt(report.model_volume)));
+  return report.quality.inverted == 0 ? text : text + fmt::format(", {} inverted", report.quality.inverted);
 }
 
 /// Says so of shapes that are too poor to compute on, where none is inverted.
@@ -92,6 +104,7 @@ std::string sentence_of(const HexReport& report, const std::string& remedy_words
   std::string sizes;
   if (report.hexahedra > 0) sizes = sizes_of(report);
   if (report.bodies > 1) sizes += fmt::format(" in {}", counted(report.bodies, "body", "bodies"));
+  if (report.outcome == HexOutcome::kPartial) sizes += lacking(report);
   const std::string remedy = with_count(report, remedy_words);
   if (report.outcome == HexOutcome::kAllHex && !report.reason.empty())
     return text + ", but " + report.reason + (remedy.empty() ? "" : ": " + remedy) + "; " + sizes;

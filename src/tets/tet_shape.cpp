@@ -43,4 +43,10 @@ double volume_of(const TetMesh& mesh) {
   return sum;
 }
 
+Vector3 centroid_of_tet(const TetMesh& mesh, std::size_t tet) {
+  Vector3 centre{0, 0, 0};
+  for (const std::uint32_t v : mesh.tets[tet]) centre += 0.25 * mesh.vertices[v];
+  return centre;
+}
+
 }  // namespace crossgrain

@@ -33,6 +33,8 @@ double mean_ratio(const std::array<Vector3, 4>& corners);
 /// The volume of all tets.
 double volume_of(const TetMesh& mesh);
 
+Vector3 centroid_of_tet(const TetMesh& mesh, std::size_t tet);
+
 /// The place of a vertex among the corners of a tet, 4 if it is none.
 inline std::size_t corner_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t vertex) {
   return static_cast<std::size_t>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());

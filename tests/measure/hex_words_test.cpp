@@ -43,7 +43,20 @@ TEST(SentenceOfHexahedra, TellsPoorShapesOfAPartWithTwoDigits) {
   HexReport report = whole();
   report.outcome = HexOutcome::kPartial;
   report.quality.least = 0.0041234;
-  EXPECT_EQ(sentence_of(report), "partial: 1000 of 2; badly shaped: worst scaled Jacobian 0.0041");
+  EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra of 2; badly shaped: worst scaled Jacobian 0.0041");
+}
+
+TEST(SentenceOfHexahedra, TellsWhatAPartLacksAndWhere) {
+  HexReport report = whole();
+  report.outcome = HexOutcome::kPartial;
+  report.left_out = 1;
+  report.left_out_place = {1, 2, 3};
+  report.quality.inverted = 4;
+  report.reason = "layers of hexahedra are folded";
+  EXPECT_EQ(sentence_of(report),
+            "partial: 1000 hexahedra of 2, 1 cell left out near 1 2 3, 4 inverted; " + report.reason);
+  report.left_out = report.quality.inverted = 0;
+  EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra of 2; " + report.reason);
 }
 
 TEST(SentenceOfHexahedra, TellsFirstWhatIsWrongWithAWholeMeshAndWhatHelps) {
@@ -67,7 +80,7 @@ TEST(SentenceOfHexahedra, TellsFirstThatTheSearchWasStopped) {
   report.outcome = HexOutcome::kPartial;
   report.reason = "layers of hexahedra are folded";
   EXPECT_EQ(sentence_of(report),
-            "partial, the search was stopped: 1000 of 2; layers of hexahedra are folded; let it finish");
+            "partial, the search was stopped: 1000 hexahedra of 2; layers of hexahedra are folded; let it finish");
 }
 
 TEST(WayOfHexahedra, TellsTheAttemptThatMadeThemOfAllThatWereMade) {
