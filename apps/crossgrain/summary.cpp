@@ -149,19 +149,10 @@ const char* words_of(ModelSource source) {
 }
 
 std::string fit_row(const HexReport& hexahedra) {
-  const bool is_of_model = hexahedra.largest_distance_of_model > hexahedra.largest_distance;
-  const double distance = is_of_model ? hexahedra.largest_distance_of_model : hexahedra.largest_distance;
-  const Vector3& place =
-      is_of_model ? hexahedra.largest_distance_of_model_place : hexahedra.largest_distance_place;
-  constexpr double kOnSurface = 1e-9;  // in sizes of hexahedra
-  const std::string farthest = distance < kOnSurface * hexahedra.used_size
-                                   ? "nowhere off the surface"
-                                   : fmt::format("farthest from the surface by {:.3g} at {}", distance,
-                                                 words_of_place(place, std::cbrt(hexahedra.model_volume)));
-  return row(
-      "fit",
-      fmt::format("volume {} and area {} of {}; {}", deviation(hexahedra.volume, hexahedra.model_volume),
-                  deviation(hexahedra.area, hexahedra.model_area), words_of(hexahedra.model), farthest));
+  return row("fit", fmt::format("volume {} and area {} of {}; {}",
+                                deviation(hexahedra.volume, hexahedra.model_volume),
+                                deviation(hexahedra.area, hexahedra.model_area), words_of(hexahedra.model),
+                                distances_of(hexahedra)));
 }
 
 /// Says which attempt made the mesh.

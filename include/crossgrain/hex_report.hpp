@@ -121,6 +121,10 @@ std::string sentence_of(const HexReport& report, const std::string& remedy_words
 /// without attempts.
 std::string way_of(const HexReport& report);
 
+/// Returns both distances in words, the larger last: "mesh up to 0.17 off the surface; surface up to 2.07 from
+/// the mesh, at 3.2 0.1 4".
+std::string distances_of(const HexReport& report);
+
 /// Returns shapes in words: "scaled Jacobian 0.71 at 3.2 0.1 4, 0.93 in the mean".
 std::string shapes_of(const HexReport::Quality& quality);
 

@@ -256,9 +256,10 @@ std::optional<Warning> poor_fit(const HexReport& report) {
     faults.push_back(fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
                                  missed < 0 ? "less" : "more"));
   if (distance > kPoorDistance * report.used_size)
-    faults.push_back(fmt::format(
-        "are up to {:.2g} away from the model's surface, at {}, which is {:.2g} of their size", distance,
-        words_of_place(at, std::cbrt(report.model_volume)), distance / report.used_size));
+    faults.push_back(fmt::format("{} by up to {:.2g}, at {}, which is {:.2g} of their size",
+                                 is_off ? "are off the model's surface" : "miss parts of the model's surface",
+                                 distance, words_of_place(at, std::cbrt(report.model_volume)),
+                                 distance / report.used_size));
   if (faults.empty()) return std::nullopt;
   return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")),
                  Remedy::kTakeSmallerHexahedra);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/digits.hpp"
@@ -78,6 +79,21 @@ const char* name_of(HexOutcome outcome) {
 std::string shapes_of(const HexReport::Quality& quality) {
   return fmt::format("scaled Jacobian {:.2g} at {}, {:.2g} in the mean", quality.least,
                      words_of_place(quality.worst_place), quality.mean);
+}
+
+std::string distances_of(const HexReport& report) {
+  constexpr double kOnSurface = 1e-9;  // in sizes of hexahedra
+  const auto rounded = [&](double x) { return x < kOnSurface * report.used_size ? 0 : x; };
+  const double of_mesh = rounded(report.largest_distance),
+               of_model = rounded(report.largest_distance_of_model);
+  if (of_mesh == 0 && of_model == 0) return "nowhere off the surface";
+  std::array words{fmt::format("mesh up to {:.3g} off the surface", of_mesh),
+                   fmt::format("surface up to {:.3g} from the mesh", of_model)};
+  const bool is_of_model = of_model > of_mesh;
+  if (!is_of_model) std::swap(words[0], words[1]);
+  const Vector3& place = is_of_model ? report.largest_distance_of_model_place : report.largest_distance_place;
+  return fmt::format("{}; {}, at {}", words[0], words[1],
+                     words_of_place(place, std::cbrt(report.model_volume)));
 }
 
 std::string way_of(const HexReport& report) {

@@ -79,8 +79,9 @@ TEST(SentenceOfHexahedra, TellsFirstThatTheSearchWasStopped) {
   EXPECT_EQ(sentence_of(report), "all-hex, the search was stopped: 1000 of 2; let it finish");
   report.outcome = HexOutcome::kPartial;
   report.reason = "layers of hexahedra are folded";
-  EXPECT_EQ(sentence_of(report),
-            "partial, the search was stopped: 1000 hexahedra of 2; layers of hexahedra are folded; let it finish");
+  EXPECT_EQ(
+      sentence_of(report),
+      "partial, the search was stopped: 1000 hexahedra of 2; layers of hexahedra are folded; let it finish");
 }
 
 TEST(WayOfHexahedra, TellsTheAttemptThatMadeThemOfAllThatWereMade) {
@@ -109,6 +110,20 @@ TEST(SentenceOfHexahedra, EndsWithReasonAndRemedy) {
   EXPECT_EQ(sentence_of(report, "try --tet-size 5.9"), "none: " + report.reason + "; try --tet-size 5.9");
   report.remedy = Remedy::kNone;
   EXPECT_EQ(sentence_of(report), "none: " + report.reason);
+}
+
+TEST(DistancesOfHexahedra, TellTheMeshFromTheModel) {
+  HexReport report = whole();
+  report.largest_distance = 0.17;
+  report.largest_distance_place = {1, 2, 3};
+  report.largest_distance_of_model = 2.07;
+  report.largest_distance_of_model_place = {4, 0, 2};
+  EXPECT_EQ(distances_of(report),
+            "mesh up to 0.17 off the surface; surface up to 2.07 from the mesh, at 4 0 2");
+  report.largest_distance = 3;
+  EXPECT_EQ(distances_of(report), "surface up to 2.07 from the mesh; mesh up to 3 off the surface, at 1 2 3");
+  report.largest_distance = report.largest_distance_of_model = 1e-12;
+  EXPECT_EQ(distances_of(report), "nowhere off the surface");
 }
 
 TEST(ShapesOfHexahedra, HaveTwoDigits) {

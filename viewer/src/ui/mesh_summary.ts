@@ -110,24 +110,39 @@ function fit_text(mesh: HexReport, unit: string): string {
   const off = (name: string, of: number | undefined, all: number | undefined): string => (of !== undefined && all ? `${name} ${percent(of / all)}` : "");
   const sizes = [off("volume", volume, model_volume), off("area", area, model_area)].filter(Boolean).join(", ");
   const farthest = farthest_of(mesh);
-  const apart = !farthest ? "" : is_off(farthest.distance, mesh) ? `at most ${measured(farthest.distance, 2)}${unit} from the surface` : "on the surface";
+  const apart = !farthest ? "" : is_off(farthest.distance, mesh) ? distances_of(mesh).map(({ words, distance }) => words(`${measured(distance, 2)}${unit}`)).join(", ") : "on the surface";
   return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, apart].filter(Boolean).join("; ");
 }
 
-const is_off = (distance: number, { used_size = 1 }: HexReport): boolean => distance > kLeastDistance * used_size;
+const is_off = (distance: number, { used_size = 1 }: Pick<HexReport, "used_size">): boolean => distance > kLeastDistance * used_size;
 
-/** The largest distance of mesh and model from one another, and where it is. */
-function farthest_of({ largest_distance, largest_distance_place, largest_distance_of_model, largest_distance_of_model_place }: HexReport): { distance: number; place?: Vector } | null {
-  if (largest_distance === undefined) return null;
-  const of_model = largest_distance_of_model ?? 0;
-  return of_model > largest_distance ? { distance: of_model, place: largest_distance_of_model_place } : { distance: largest_distance, place: largest_distance_place };
+interface Farthest {
+  distance: number;
+  place?: Vector;
+  /** With a length. */
+  words: (length: string) => string;
+}
+
+/** The largest distances: of the mesh from the model, and of the model from the mesh. */
+function distances_of({ used_size, largest_distance, largest_distance_place, largest_distance_of_model, largest_distance_of_model_place }: HexReport): Farthest[] {
+  if (largest_distance === undefined) return [];
+  const rounded = (distance: number): number => (is_off(distance, { used_size }) ? distance : 0);
+  return [
+    { distance: rounded(largest_distance), place: largest_distance_place, words: (length) => `mesh up to ${length} off the surface` },
+    { distance: rounded(largest_distance_of_model ?? 0), place: largest_distance_of_model_place, words: (length) => `surface up to ${length} from the mesh` },
+  ];
+}
+
+/** The larger of them, and where it is. */
+function farthest_of(mesh: HexReport): Farthest | null {
+  return distances_of(mesh).reduce<Farthest | null>((worst, one) => (worst && worst.distance >= one.distance ? worst : one), null);
 }
 
 /** Where the mesh fits worst. */
 function worst_fit({ hexahedra, model }: Report, origin: Vector): Place[] {
   const farthest = hexahedra && hexahedra.hexahedra > 0 ? farthest_of(hexahedra) : null;
   if (!farthest?.place || !is_off(farthest.distance, hexahedra!)) return [];
-  return [{ label: "Worst fit", detail: `${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`, point: subtract(farthest.place, origin), warn: false }];
+  return [{ label: "Worst fit", detail: farthest.words(`${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`), point: subtract(farthest.place, origin), warn: false }];
 }
 
 // Below this a share is rounding: of volume and area in percent, of a distance in sizes of hexahedra.
