@@ -184,15 +184,16 @@ std::string expected_line(const HexExpectation& expected) {
                      counted(expected.tets, "tet"), text_of(expected.tet_size));
 }
 
-/// Rows about corners and knife edges of the model that leave room for no hexahedra, as its field is.
-std::string obstacle_lines(const Answer& answer) {
+/// Rows about corners and knife edges of the model that leave room for no hexahedra along its first field:
+/// later attempts may fill the model all the same, then with poor hexahedra there as a rule.
+std::string risk_lines(const Answer& answer) {
   std::string lines;
   for (const Answer::Reason& reason : answer.reasons) {
     const bool is_of_surface = reason.kind == ReasonKind::kKnifeEdge || reason.kind == ReasonKind::kCorner;
     if (!is_of_surface || reason.verdict != Verdict::kNotMeshable) continue;
-    lines += fmt::format("obstacle   {} at {}", reason.text, words_of_place(reason.place));
+    lines += fmt::format("risk       poor hexahedra, or no mesh, at {}", words_of_place(reason.place));
     if (reason.count > 1) lines += fmt::format(" and at {}", counted(reason.count - 1, "other place"));
-    lines += "; a repair of the field may change that\n";
+    lines += fmt::format(": along the first field {}\n", reason.text);
   }
   return lines;
 }
@@ -298,7 +299,7 @@ Solved meshed(const Job& job) {
     print_result(expected_line(expected));
   };
   options.on_answer = [&](const Answer& answer) {
-    const std::string lines = obstacle_lines(answer);
+    const std::string lines = risk_lines(answer);
     if (arguments.quiet || lines.empty()) return;
     job.leave_line();
     print_result(lines);
