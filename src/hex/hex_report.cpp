@@ -25,19 +25,6 @@
 namespace crossgrain {
 namespace {
 
-std::vector<Vector3> places_of_faults(const SolveReport::Singularity& graph) {
-  std::vector<Vector3> places;
-  for (const auto& crease : graph.crease_list)
-    if (crease.verdict == Verdict::kNotMeshable) places.push_back(crease.place);
-  for (const auto& corner : graph.corner_list)
-    if (corner.verdict == Verdict::kNotMeshable) places.push_back(corner.place);
-  for (const auto& node : graph.node_list)
-    if (node.verdict == Verdict::kNotMeshable) places.push_back(node.place);
-  for (const auto& arc : graph.arc_list)
-    if (arc.verdict == Verdict::kNotMeshable) places.push_back(arc.place);
-  return places;
-}
-
 /// Centres of the tets that a map flips, the most inverted first.
 std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<double>& determinants) {
   std::vector<std::pair<double, std::size_t>> flipped;

@@ -102,4 +102,18 @@ std::string fault_of(const Singularity::Node& node) {
                      counted(node.arcs.size(), "singular line"));
 }
 
+std::vector<Vector3> places_of_faults(const Singularity& graph) {
+  std::vector<Vector3> places;
+  const auto add = [&](const auto& parts) {
+    for (const auto& part : parts)
+      if (part.verdict == Verdict::kNotMeshable && std::ranges::find(places, part.place) == places.end())
+        places.push_back(part.place);
+  };
+  add(graph.crease_list);
+  add(graph.corner_list);
+  add(graph.node_list);
+  add(graph.arc_list);
+  return places;
+}
+
 }  // namespace crossgrain

@@ -35,4 +35,7 @@ std::string fault_of(const FieldAnalysis::Singularity::Corner& corner, const Fac
 std::string fault_of(const FieldAnalysis::Singularity::Arc& arc);
 std::string fault_of(const FieldAnalysis::Singularity::Node& node);
 
+/// Returns where hexahedra cannot meet, each place once: creases and corners before nodes and arcs.
+std::vector<Vector3> places_of_faults(const FieldAnalysis::Singularity& graph);
+
 }  // namespace crossgrain

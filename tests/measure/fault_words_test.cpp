@@ -52,6 +52,17 @@ TEST(FaultOfACorner, OfOneEdgeIsItsEnd) {
   EXPECT_EQ(fault_of(corner, kFace), "no hexahedra fit at the end of a sharp edge of face 12");
 }
 
+TEST(PlacesOfFaults, AreListedOnceEach) {
+  FieldAnalysis::Singularity graph;
+  graph.corner_list.resize(3);
+  graph.arc_list.resize(1);
+  for (Corner& corner : graph.corner_list) corner.verdict = Verdict::kNotMeshable;
+  graph.corner_list[0].place = graph.corner_list[1].place = {1, 2, 3};
+  graph.corner_list[2].verdict = Verdict::kMeshable;
+  graph.arc_list[0].verdict = Verdict::kNotMeshable;
+  EXPECT_EQ(places_of_faults(graph), (std::vector<Vector3>{{1, 2, 3}, {0, 0, 0}}));
+}
+
 TEST(FaultOfANode, OfOneLineIsItsEnd) {
   Node node;
   node.arcs = {4};
