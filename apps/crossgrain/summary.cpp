@@ -119,8 +119,12 @@ std::string remedy_of(const HexReport& hexahedra, const SolveArguments& argument
   return "unite them where they were drawn, or give a CAD file of them with --glue";
 }
 
+/// Solids that touch or overlap were warned of before the work, with their numbers and place.
 std::string hexahedra_row(const HexReport& hexahedra, const SolveArguments& arguments) {
-  return row("hexahedra", line_of(hexahedra, arguments));
+  HexReport told = hexahedra;
+  if (hexahedra.remedy == Remedy::kGlueSolids) told.reason = "solids that touch are meshed apart, as warned";
+  if (hexahedra.remedy == Remedy::kSeparateSolids) told.reason = "solids overlap, as warned";
+  return row("hexahedra", line_of(told, arguments));
 }
 
 std::string worst_row(const HexReport& hexahedra) {
