@@ -62,10 +62,10 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kClearPlace, "remove it, or choose another place with -o", kAll},
     {Remedy::kTakeLargerTets, "take larger tets with --size or --edges", kTets},
     {Remedy::kTakeLargerTets, "take larger tets with --tet-size", kFolders},
-    {Remedy::kGiveTetSize, "set --size", kTets},
-    {Remedy::kGiveTetSize, "set --tet-size", kFolders},
-    {Remedy::kGiveCellSize, "set --cell-size", kSolve},
-    {Remedy::kGiveHexSize, "set --size", kHex},
+    {Remedy::kGiveTetSize, "try --size {}", kTets},
+    {Remedy::kGiveTetSize, "try --tet-size {}", kFolders},
+    {Remedy::kGiveCellSize, "try --cell-size {}", kSolve},
+    {Remedy::kGiveHexSize, "try --size {}", kHex},
     {Remedy::kUseHexSize, "try --size {}", kHex},
     {Remedy::kTakeLargerHexahedra, "raise --size, or lower --cells", kHex},
     {Remedy::kTakeSmallerHexahedra, "lower --size, or raise --cells", kHex},
@@ -118,7 +118,7 @@ std::string words_of(Remedy remedy, double number, Command command) {
 }
 
 std::string line_of(const Message& message, Command command) {
-  return sentence_of(message, words_of(message.remedy, 0, command));
+  return sentence_of(message, words_of(message.remedy, message.remedy_number, command));
 }
 
 Failure failure_of(const std::exception_ptr& exception, const std::string& subject, Command command) {

@@ -79,11 +79,11 @@ enum class Remedy : int {
   kAllowTetTime,   ///< TetMakingOptions::seconds
   kChangeTetSize,  ///< TetMakingOptions::size
   kTakeLargerTets,
-  kGiveTetSize,  ///< another TetMakingOptions::size
+  kGiveTetSize,  ///< another TetMakingOptions::size; with a number
   kFreeTemporarySpace,
 
   // Hexahedra that are made.
-  kGiveHexSize,  ///< another HexOptions::size
+  kGiveHexSize,  ///< another HexOptions::size; with a number
   kUseHexSize,   ///< HexOptions::size; with a number
   kTakeLargerHexahedra,
   kTakeSmallerHexahedra,
@@ -92,7 +92,7 @@ enum class Remedy : int {
   kRaiseResolution,
   kLowerResolution,
   kUseLessMemory,
-  kGiveCellSize,  ///< another SolveOptions::cell_size
+  kGiveCellSize,  ///< another SolveOptions::cell_size; with a number
   kTurnView,
 
   // The answer whether hexahedra can follow a field (Answer::Reason).
@@ -127,7 +127,8 @@ const char* words_of(Remedy remedy);
 /// Whether a remedy needs a number to say what to do.
 inline bool has_number(Remedy remedy) {
   return remedy == Remedy::kUseResolution || remedy == Remedy::kUseEdgeLength ||
-         remedy == Remedy::kUseHexSize;
+         remedy == Remedy::kUseHexSize || remedy == Remedy::kGiveHexSize || remedy == Remedy::kGiveTetSize ||
+         remedy == Remedy::kGiveCellSize;
 }
 
 /// Returns a remedy in words, with its number if it has one: "use a resolution of 128".
@@ -143,6 +144,7 @@ struct Message {
       place;  ///< in the file or the object: "line 12", "vertex 7 (counted from 0)"; empty for all of it
   std::string text;  ///< what is wrong, in one line
   Remedy remedy = Remedy::kNone;
+  double remedy_number = 0;  ///< if `has_number`
 
   bool operator==(const Message&) const = default;
 };

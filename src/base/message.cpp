@@ -136,6 +136,9 @@ std::string words_of(Remedy remedy, double number) {
   if (remedy == Remedy::kUseResolution) return fmt::format("use a resolution of {:.0f}", number);
   if (remedy == Remedy::kUseEdgeLength) return fmt::format("take tets with edges of {:.3g}", number);
   if (remedy == Remedy::kUseHexSize) return fmt::format("use hexahedra of {:.3g}", number);
+  if (remedy == Remedy::kGiveHexSize) return fmt::format("try hexahedra of {:.3g}", number);
+  if (remedy == Remedy::kGiveTetSize) return fmt::format("try tets of {:.3g}", number);
+  if (remedy == Remedy::kGiveCellSize) return fmt::format("try cells of {:.3g}", number);
   return words_of(remedy);
 }
 
@@ -145,7 +148,7 @@ const char* name_of(Remedy remedy) {
 }
 
 std::string sentence_of(const Message& message) {
-  return sentence_of(message, words_of(message.remedy));
+  return sentence_of(message, words_of(message.remedy, message.remedy_number));
 }
 
 std::string sentence_of(const Message& message, const std::string& remedy_words) {

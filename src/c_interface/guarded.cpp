@@ -29,17 +29,20 @@ crossgrain_status status_of(ErrorKind kind) {
 
 /// An error with its texts.
 struct OwnedError : crossgrain_error {
-  std::string its_sentence;
+  std::string its_sentence, its_remedy;
   Message message;
 
   OwnedError(crossgrain_status its_status, Message its_message)
-      : crossgrain_error{}, its_sentence(sentence_of(its_message)), message(std::move(its_message)) {
+      : crossgrain_error{},
+        its_sentence(sentence_of(its_message)),
+        its_remedy(words_of(its_message.remedy, its_message.remedy_number)),
+        message(std::move(its_message)) {
     status = its_status;
     sentence = its_sentence.c_str();
     file = message.file.c_str();
     place = message.place.c_str();
     text = message.text.c_str();
-    remedy = words_of(message.remedy);
+    remedy = its_remedy.c_str();
     remedy_name = name_of(message.remedy);
   }
 };

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/digits.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 
@@ -39,15 +40,18 @@ bool may_be_meant(double elements) {
   return elements >= kLeastMeant && elements <= kMostMeant;
 }
 
-/// Returns a question such as "in metres? "; empty without a guess, or if the unit is known.
-std::string question_about(const AskedSize& asked, const PartSize& part) {
+/// Says what unit a size is in, with a guess if there is one; empty if it is known.
+std::string unit_of(const AskedSize& asked, const PartSize& part) {
   if (!part.unit.empty()) return "";
+  std::string guess;
   for (const auto& [name, millimetres] : kUnits) {
-    if (may_be_meant(part.longest * millimetres / asked.size)) return fmt::format("in {}? ", name);
-    if (may_be_meant(part.longest / millimetres / asked.size))
-      return fmt::format("in millimetres, and the size in {}? ", name);
+    if (!guess.empty()) break;
+    if (may_be_meant(part.longest * millimetres / asked.size))
+      guess = fmt::format("; {}?", name);
+    else if (may_be_meant(part.longest / millimetres / asked.size))
+      guess = fmt::format("; millimetres, and the size in {}?", name);
   }
-  return "";
+  return fmt::format("; sizes are in the unit of the model (none is named{})", guess);
 }
 
 /// Points spread evenly over the area of a surface, each with its triangle.
@@ -100,12 +104,10 @@ void check_asked_size(const AskedSize& asked, const PartSize& part) {
                                : ", no memory holds as many as would fill it";
   throw Error(ErrorKind::kUsage,
               {"", "",
-               fmt::format("{} of {} are too {} for the part, which is {} across{}; {}{:g} along it have a "
-                           "size of {:.3g}",
-                           asked.elements, length_text(asked.size, part.unit), is_large ? "large" : "small",
-                           length_text(part.longest, part.unit), many, question_about(asked, part),
-                           asked.usual, part.longest / asked.usual),
-               asked.remedy});
+               fmt::format("{} of {} are too {} for the part, which is {} across{}{}", asked.elements,
+                           length_text(asked.size, part.unit), is_large ? "large" : "small",
+                           length_text(part.longest, part.unit), many, unit_of(asked, part)),
+               asked.remedy, rounded_down(part.longest / asked.usual, 2)});
 }
 
 double usual_thickness(const TriangleBvh& bvh, std::size_t lines) {

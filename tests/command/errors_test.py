@@ -144,7 +144,7 @@ class WrongSizes(CommandTest):
 
     def test_what_cannot_fit_into_memory_is_refused_at_once(self):
         for arguments, code, words in ((["--resolution", "400000"], LIMIT, "lower --resolution"),
-                                       (["--cell-size", "1e-300"], USAGE, "set --cell-size")):
+                                       (["--cell-size", "1e-300"], USAGE, "try --cell-size ")):
             result = self.run_here("solve", "box.stl", *arguments)
             self.assert_fails(result, code, words)
             self.assertNotIn("nan", result.stderr)

@@ -52,7 +52,7 @@ class Followed(CommandTest):
 
     def test_sizes_of_hexahedra_and_tets(self):
         hexahedra = ("hex", "box.mesh", "-o", "out", "--no-report")
-        self.follow("kGiveHexSize", "set --size", [*hexahedra, "--size", "9"], [*hexahedra, "--size", "0.5"])
+        self.follow("kGiveHexSize", "try --size 0.1", [*hexahedra, "--size", "9"], [*hexahedra, "--size", "0.1"])
         self.follow("kTakeLargerHexahedra", "raise --size, or lower --cells", [*hexahedra, "--cells", "1000"], [*hexahedra, "--cells", "4"])
         self.write("plate.mesh", medit_text(*tet_box((6, 6, 1), (6.0, 6.0, 0.5))))
         plate = ("hex", "plate.mesh", "-o", "out", "--no-report")
@@ -62,15 +62,15 @@ class Followed(CommandTest):
     def test_sizes_of_made_tets(self):
         tets = ("tets", "box.stl", "-o", "out.mesh")
         solve = ("solve", "box.stl", "-o", "out", "--no-report")
-        self.follow("kGiveTetSize", "set --size", [*tets, "--size", "9"], [*tets, "--size", "0.5"])
+        self.follow("kGiveTetSize", "try --size 0.1", [*tets, "--size", "9"], [*tets, "--size", "0.1"])
         self.follow("kTakeLargerTets", "take larger tets with --size or --edges", [*tets, "--size", "0.004"], [*tets, "--size", "0.5"])
         self.follow("kAllowTetTime", "or allow more time with --seconds", [*tets, "--seconds", "0.001"], [*tets, "--edges", "5", "--seconds", "100"])
-        self.follow("kGiveTetSize", "set --tet-size", [*solve, "--tet-size", "9"], [*solve, "--tet-size", "0.5"])
+        self.follow("kGiveTetSize", "try --tet-size 0.1", [*solve, "--tet-size", "9"], [*solve, "--tet-size", "0.1"])
         self.follow("kTakeLargerTets", "take larger tets with --tet-size", [*solve, "--tet-size", "0.004"], [*solve, "--tet-size", "0.5"])
 
     def test_memory_and_cells(self):
         solve = ("solve", "box.stl", "-o", "out", "--no-report")
-        self.follow("kGiveCellSize", "set --cell-size", [*solve, "--cell-size", "9"], [*solve, "--cell-size", "0.2"])
+        self.follow("kGiveCellSize", "try --cell-size ", [*solve, "--cell-size", "9"], [*solve, "--cell-size", "0.2"])
         self.follow("kUseLessMemory", "or allow more memory with --max-memory", [*solve, "--resolution", "4000", "--max-memory", "60MB"],
                     [*solve, "--resolution", "8", "--max-memory", "2GB"])
         self.follow("kAllowMemory", "allow more memory with --max-memory", [*solve, "--resolution", "8", "--max-memory", "1MB"],

@@ -77,23 +77,23 @@ class WrongSizes(CommandTest):
             self.assertEqual(self.names(), before)
 
     def test_larger_than_the_part_are_refused_with_its_size_and_a_question(self):
-        across = "which is 0.2 across; in metres?"
-        self.refuse(USAGE, ["hex", "small.stl", "--size", "3"], "small.stl", "hexahedra of 3 are too large", across, "a size of 0.01; set --size")
+        across = "which is 0.2 across; sizes are in the unit of the model (none is named; metres?); "
+        self.refuse(USAGE, ["hex", "small.stl", "--size", "3"], "small.stl", "hexahedra of 3 are too large", across, "; try --size 0.01")
         self.refuse(USAGE, ["hex", "small.stl", "--size", "0.01", "--tet-size", "3"], "tets of 3 are too large", across, "--tet-size")
         self.refuse(USAGE, ["hex", "small.mesh", "--size", "3"], "small.mesh", across)
-        self.refuse(USAGE, ["tets", "small.stl", "--size", "3", "-o", "out.mesh"], "tets of 3 are too large", across, "set --size")
-        self.refuse(USAGE, ["solve", "small.stl", "--tet-size", "3"], "tets of 3 are too large", across, "set --tet-size")
-        self.refuse(USAGE, ["solve", "small.stl", "--cell-size", "3"], "cells of 3 are too large", across, "set --cell-size")
+        self.refuse(USAGE, ["tets", "small.stl", "--size", "3", "-o", "out.mesh"], "tets of 3 are too large", across, "try --size ")
+        self.refuse(USAGE, ["solve", "small.stl", "--tet-size", "3"], "tets of 3 are too large", across, "try --tet-size 0.01")
+        self.refuse(USAGE, ["solve", "small.stl", "--cell-size", "3"], "cells of 3 are too large", across, "try --cell-size ")
         self.refuse(USAGE, ["hex", "large.stl", "--size", "1e9"], "which is 200 across; 20 along it")
         self.refuse(USAGE, ["hex", "small.stl", "--size", "3", "--unit", "m"], "hexahedra of 3 m", "0.2 m across")
 
     def test_beyond_any_memory_are_refused_with_the_size_of_the_part(self):
         across = "which is 200 across"
         for size in ("0.003", "1e-300"):
-            self.refuse(USAGE, ["hex", "large.stl", "--size", size], "too small", across, "set --size")
+            self.refuse(USAGE, ["hex", "large.stl", "--size", size], "too small", across, "try --size ")
             self.refuse(USAGE, ["hex", "large.stl", "--size", "10", "--tet-size", size], "tets of", "too small", across, "--tet-size")
-            self.refuse(USAGE, ["tets", "large.stl", "--size", size], "too small", across, "set --size")
-        self.refuse(USAGE, ["solve", "large.stl", "--cell-size", "1e-9"], "too small", across, "set --cell-size")
+            self.refuse(USAGE, ["tets", "large.stl", "--size", size], "too small", across, "try --size ")
+        self.refuse(USAGE, ["solve", "large.stl", "--cell-size", "1e-9"], "too small", across, "try --cell-size ")
 
     def test_more_than_are_made_are_refused_with_the_option_that_helps(self):
         self.refuse(LIMIT, ["hex", "large.stl", "--size", "0.3"], "which is 200 across", "--size", "--cells")

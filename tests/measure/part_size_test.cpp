@@ -26,7 +26,7 @@ std::string refusal_of(double size, const Vector3& sides, const std::string& uni
                      part);
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-    return error.text();
+    return sentence_of(error.message());
   }
   return "";
 }
@@ -62,13 +62,14 @@ TEST(AskedSize, ThatSuitsIsNotRefused) {
 TEST(AskedSize, LargerThanThePartIsRefusedWithItsSizeAndASizeThatSuits) {
   const std::string text = refusal_of(3, {0.2, 0.1, 0.15});
   expect_words(text, "hexahedra of 3 are too large for the part, which is 0.2 across");
-  expect_words(text, "20 along it have a size of 0.01");
+  expect_words(text, "; try hexahedra of 0.01");
 }
 
 TEST(AskedSize, InAnotherUnitIsRefusedWithTheUnitThatMayBeMeant) {
-  expect_words(refusal_of(3, {0.2, 0.1, 0.15}), "; in metres?");
-  expect_words(refusal_of(3, {2, 1, 1.5}), "; in inches?");
-  expect_words(refusal_of(0.003, {200, 100, 150}), "; in millimetres, and the size in metres?");
+  expect_words(refusal_of(3, {0.2, 0.1, 0.15}),
+               "; sizes are in the unit of the model (none is named; metres?)");
+  expect_words(refusal_of(3, {2, 1, 1.5}), "(none is named; inches?)");
+  expect_words(refusal_of(0.003, {200, 100, 150}), "; millimetres, and the size in metres?)");
   EXPECT_EQ(refusal_of(1e9, {2, 1, 1.5}).find('?'), std::string::npos);
   const std::string known = refusal_of(3, {0.2, 0.1, 0.15}, "mm");
   expect_words(known, "hexahedra of 3 mm are too large for the part, which is 0.2 mm across");

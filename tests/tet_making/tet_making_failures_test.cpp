@@ -260,7 +260,7 @@ TEST(TetMakingRefusal, OfTooManyTetsComesBeforeTheWork) {
 TEST(TetMakingRefusal, OfSizesThatDoNotSuitThePartTellsItsSize) {
   for (const double size : {2.0, 1e-5})
     expect_words(error_of(make_box({1, 1, 1}), tets_of_size(size)), ErrorKind::kUsage,
-                 {"for the part, which is 1 across", "20 along it have a size of 0.05"});
+                 {"for the part, which is 1 across", "try tets of 0.05"});
 }
 
 TEST(TetMakingRefusal, OfOptionsOutOfRange) {
