@@ -199,7 +199,7 @@ void ProgressLines::end_attempt(const HexAttemptEnd& ended) {
   if (as_json_) return tell_as_json(ended);
   end(/*done=*/true);
   std::string text = ended.text;
-  if (text == ended_.text) text = fmt::format("as attempt {}", ended_.attempt);
+  if (text == ended_.text) text = fmt::format("ends as attempt {} did", ended_.attempt);
   if (!ended.next.empty()) text += "; trying " + ended.next;
   if (!ended.over.empty()) text += "; " + ended.over;
   write(fmt::format("attempt {}: {}\n", ended.attempt, text));

@@ -23,7 +23,7 @@ AttemptQueue::AttemptQueue(double most_work, double least_quality, const Monitor
       monitor_(monitor, [this](Progress& progress) { tell_more(progress); }) {}
 
 void AttemptQueue::tell_more(Progress& progress) const {
-  progress.attempt = at_meshes_ + 1;
+  progress.attempt = is_preparing_ && at_meshes_ > 0 ? at_meshes_ : at_meshes_ + 1;
   progress.tets = round_ + 1;
   progress.most_tets = std::max(most_rounds_, round_ + 1);
   if (!has_mesh()) return;
@@ -32,14 +32,30 @@ void AttemptQueue::tell_more(Progress& progress) const {
 }
 
 void AttemptQueue::run() {
-  AttemptKind* next = due();
+  AttemptKind* next = ready();
   while (next != nullptr) {
     round_ = next->round(*this);
     most_rounds_ = most_rounds();
+    plan_ = next->plan(*this);
     make(*next);
-    next = is_done() || is_stopped_ ? nullptr : due();
+    next = is_done() || is_stopped_ ? nullptr : ready();
     tell_ends(next);
   }
+}
+
+/// What is due and will be made, also if only to fail. Until then progress is that of the last attempt, whose
+/// end is told with what follows.
+AttemptKind* AttemptQueue::ready() {
+  most_rounds_ = most_rounds();
+  is_preparing_ = true;
+  AttemptKind* kind = due();
+  try {
+    while (kind != nullptr && !kind->prepare(*this)) kind = due();
+  } catch (const Error&) {
+    failure_ = std::current_exception();
+  }
+  is_preparing_ = false;
+  return kind;
 }
 
 std::size_t AttemptQueue::most_rounds() const {
@@ -62,7 +78,7 @@ void AttemptQueue::tell_ends(const AttemptKind* next) {
       ends_.back().over = why_over();
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       HexAttemptEnd& end = ends_[k];
-      if (k + 1 < ends_.size()) end.next = fmt::format("attempt {}, made at the same time", end.attempt + 1);
+      if (k + 1 < ends_.size()) end.next = plan_ + ", at the same time";
       end.tets = round_ + 1;
       end.most_tets = most_rounds();
       on_end_(end);
@@ -90,6 +106,7 @@ void AttemptQueue::make(AttemptKind& kind) {
   const std::size_t before = attempts_.size();
   try {
     monitor_.check_stop();
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
     for (HexCandidate& candidate : kind.make(*this)) add(kind, std::move(candidate));
   } catch (const Error& error) {
     if (!has_mesh()) throw;

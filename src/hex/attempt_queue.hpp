@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -41,8 +42,12 @@ class AttemptKind : public Interface {
   /// When the next attempt is due; none if there is none for now.
   virtual std::optional<Turn> next(const AttemptQueue& queue) const = 0;
 
-  /// Makes the next attempt, or several at the same time, the first first; may find that there is none. What
-  /// is due next has changed afterwards, even after an exception.
+  /// Finds out whether there is a next attempt, before it is told of: does of it what that takes. Without
+  /// one, what is due next has changed.
+  virtual bool prepare(AttemptQueue&) { return true; }
+
+  /// Makes the next attempt, or several at the same time, the first first. What is due next has changed
+  /// afterwards, even after an exception.
   virtual std::vector<HexCandidate> make(AttemptQueue& queue) = 0;
 
   /// What the next attempt tries, for the user: "tets of 2.1".
@@ -123,6 +128,7 @@ class AttemptQueue {
 
  private:
   AttemptKind* due() const;
+  AttemptKind* ready();
   void make(AttemptKind& kind);
   void add(const AttemptKind& kind, HexCandidate candidate);
   void add_failure(const AttemptKind& kind, const Error& error, double seconds);
@@ -144,6 +150,9 @@ class AttemptQueue {
   std::size_t at_meshes_ = 0;    ///< attempts that were made
   std::size_t round_ = 0;        ///< of the attempt that is being made
   std::size_t most_rounds_ = 0;  ///< before that attempt
+  bool is_preparing_ = false;    ///< and has not begun it
+  std::exception_ptr failure_;   ///< of what is ready
+  std::string plan_;             ///< of the attempt that is being made
   double expected_hexahedra_ = 0;
   std::vector<HexAttemptEnd> ends_;  ///< that are not told yet
   std::vector<std::unique_ptr<AttemptKind>> kinds_;

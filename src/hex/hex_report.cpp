@@ -103,7 +103,7 @@ Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
     return fault;
   }
   if (attempt.arcs_without_length > 0)
-    return {"layers of hexahedra are squeezed to nothing",
+    return {"layers of hexahedra would have no thickness",
             fmt::format("none: {} would have no length, since both ends are on one layer of hexahedra",
                         counted(attempt.arcs_without_length, "singular arc")),
             Remedy::kUseEdgeLength, best.followed->arcs_without_length()};

@@ -21,7 +21,7 @@ class PartOfModel : public AttemptKind {
     return Turn{queue.rounds() - 1, Turn::Step::kPart};
   }
 
-  std::string plan(const AttemptQueue&) const override { return "a part of the model"; }
+  std::string plan(const AttemptQueue&) const override { return "to mesh only a part of the model"; }
 
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
     rounds_ = queue.rounds();

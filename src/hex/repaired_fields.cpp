@@ -40,24 +40,31 @@ class RepairedFields : public AttemptKind {
     return Turn{queue.rounds() - 1, Turn::Step::kRepair};
   }
 
-  std::string plan(const AttemptQueue&) const override { return "another repair of the field"; }
+  std::string plan(const AttemptQueue&) const override { return "other singular lines on the same tets"; }
+
+  /// Whether a later stage has tries is known once it is begun.
+  bool prepare(AttemptQueue& queue) override {
+    if (rounds_ != queue.rounds()) return true;
+    Stopwatch stopwatch;
+    work_ = 0;
+    find_next();
+    seconds_ = stopwatch.restart();
+    return !next_.empty();
+  }
 
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
     const StartingField& start = *queue.start();
-    work_ = 0;
     Stopwatch stopwatch;
     if (rounds_ != queue.rounds()) {
       rounds_ = queue.rounds();
       end();
       if (start.field.data().is_repaired()) return {candidate_of(start.field, start)};
       begin(queue);
+      find_next();
+      seconds_ = stopwatch.restart();
     }
-    std::vector<const RepairTry*> tries = next_tries();
-    while (tries.empty() && stage_ != Stage::kEnd) {
-      begin_stage(static_cast<Stage>(static_cast<int>(stage_) + 1));
-      tries = next_tries();
-    }
-    const double seconds = stopwatch.restart();
+    const std::vector<const RepairTry*> tries = std::exchange(next_, {});
+    const double seconds = seconds_;
     if (tries.empty()) return {};
     std::vector<HexCandidate> candidates = take(tries, start);
     candidates.front().seconds.repair += seconds;
@@ -135,6 +142,15 @@ class RepairedFields : public AttemptKind {
     }
   }
 
+  /// The next tries of this stage or a later one.
+  void find_next() {
+    next_ = next_tries();
+    while (next_.empty() && stage_ != Stage::kEnd) {
+      begin_stage(static_cast<Stage>(static_cast<int>(stage_) + 1));
+      next_ = next_tries();
+    }
+  }
+
   /// The next tries of the stage whose matchings were not taken before.
   std::vector<const RepairTry*> next_tries() {
     constexpr std::size_t kAtOnce = 2;
@@ -180,10 +196,11 @@ class RepairedFields : public AttemptKind {
   std::size_t rounds_ = 0;  ///< that were begun
   std::size_t repairs_ = 0;
   Stage stage_ = Stage::kEnd;
-  double work_ = 0;  ///< of the repairs for the next attempts
+  double work_ = 0, seconds_ = 0;  ///< of the repairs for the next attempts
   std::optional<FieldRepairs> repairs_of_field_;
   std::vector<RepairTry> tries_, wandered_;
   std::vector<const RepairTry*> left_;  ///< of the stage
+  std::vector<const RepairTry*> next_;
   std::vector<std::vector<CubeRotation>> taken_;
 };
 

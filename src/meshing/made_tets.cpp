@@ -122,9 +122,11 @@ bool MadeTets::may_be_new(double share) const {
 }
 
 std::string MadeTets::plan(const AttemptQueue&) const {
+  if (next_tets_) return fmt::format("tets of {:.3g}", next_.tet_size);
+  // Those that could not be made.
   if (made_.empty()) return "tets";
   const double longest = longest_side(made_.back().domain.data().box);
-  const double size = tet_options(options_, tuning_.tet_shares[next_share()]).size_for(longest);
+  const double size = tet_options(options_, tuning_.tet_shares[at_ - 1]).size_for(longest);
   return fmt::format("tets of {:.3g}", size);
 }
 
@@ -132,20 +134,29 @@ std::size_t MadeTets::rounds_left(const AttemptQueue&) const {
   const auto& shares = tuning_.tet_shares;
   const auto sizes = std::count_if(shares.begin() + static_cast<std::ptrdiff_t>(at_), shares.end(),
                                    [&](double share) { return may_be_new(share); });
-  return std::min(static_cast<std::size_t>(sizes), tuning_.most_sizes - sizes_);
+  return std::min(static_cast<std::size_t>(sizes), tuning_.most_sizes - sizes_) + (next_tets_ ? 1 : 0);
+}
+
+/// Whether tets are new, and not too many, is known once they are made.
+bool MadeTets::prepare(AttemptQueue& queue) {
+  Stopwatch stopwatch;
+  next_ = {};
+  next_tets_ = next_domain(queue.monitor(), next_);
+  next_.seconds = stopwatch.restart();
+  return next_tets_.has_value();
 }
 
 std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
   Stopwatch stopwatch;
   HexCandidate made;
-  const std::optional<TetDomain> domain = next_domain(queue.monitor(), made.attempt);
-  if (!domain) return {};
+  const TetDomain domain = *std::exchange(next_tets_, std::nullopt);
+  made.attempt = std::exchange(next_, {});
   made.attempt.round = queue.rounds();
-  StartingField start = solved_on(*domain, options_, queue, size_);
+  StartingField start = solved_on(domain, options_, queue, size_);
   start.work_share = kWorkShare;
   queue.start_on(std::move(start));
   made.attempt.work = kTetWork * static_cast<double>(made.attempt.tets);
-  made.attempt.seconds = stopwatch.restart();
+  made.attempt.seconds += stopwatch.restart();
   return {std::move(made)};
 }
 

@@ -27,6 +27,7 @@ class MadeTets : public AttemptKind {
   std::size_t round(const AttemptQueue& queue) const override { return queue.rounds(); }
   std::size_t rounds_left(const AttemptQueue& queue) const override;
   bool makes_meshes() const override { return false; }
+  bool prepare(AttemptQueue& queue) override;
   std::vector<HexCandidate> make(AttemptQueue& queue) override;
 
  private:
@@ -53,6 +54,8 @@ class MadeTets : public AttemptKind {
   bool has_warned_ = false;
   HexExpectation::TetSize size_;  ///< of the last tets
   std::vector<Made> made_;        ///< in all rounds
+  HexAttempt next_;               ///< of the tets that are ready
+  std::optional<TetDomain> next_tets_;
 };
 
 /// Returns tets ready for a solve that leads to hexahedra; those that are not are prepared for a map.

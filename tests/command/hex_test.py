@@ -173,7 +173,7 @@ class HexTest(CommandTest):
             self.assertRegex(line, rf"^attempt {k + 1}: .+; trying .+$")
         self.assertRegex(ends[-1], rf"^attempt {len(ends)}: .+; (nothing else is left to try|the work of a search is done)$")
         texts = [line.split(": ", 1)[1].split("; trying ")[0] for line in ends]
-        self.assertTrue(all(a != b or a.startswith("as attempt ") for a, b in zip(texts, texts[1:])), ends)
+        self.assertTrue(all(a != b or a.startswith("ends as attempt ") for a, b in zip(texts, texts[1:])), ends)
         self.write_box()
         self.hexahedra("box.mesh", "--cells", "4", "--force")
         self.assertEqual(self.files_of_hexahedra(), FILES)

@@ -258,6 +258,39 @@ TEST(AttemptQueue, TellsHowEachAttemptEndedAndWhatIsTriedNext) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(queue.attempts()[k].number, k + 1);
 }
 
+/// A kind whose only attempt turns out to be none.
+class Unready : public Signalled {
+ public:
+  explicit Unready(std::size_t round) : Signalled(round, [] {}) {}
+  bool prepare(AttemptQueue& queue) override { return !make(queue).empty(); }
+};
+
+TEST(AttemptQueue, AnnouncesNothingThatIsNeverMade) {
+  std::vector<HexAttemptEnd> ends;
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(dummy({{{0, Step::kRepair}, {0.5}}, {{2, Step::kRepair}, {0.5}}}));
+  queue.add(std::make_unique<Unready>(1));
+  queue.add(std::make_unique<Unready>(3));
+  queue.hear_ends([&](const HexAttemptEnd& end) { ends.push_back(end); });
+  queue.run();
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0].next, "a 2");
+  EXPECT_EQ(ends[1].next, "");
+  EXPECT_EQ(ends[1].over, "nothing else is left to try");
+}
+
+TEST(AttemptQueue, TellsWhatIsTriedAtTheSameTime) {
+  std::vector<HexAttemptEnd> ends;
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(dummy({{{0, Step::kRepair}, {0.5, 0.4}}}));
+  queue.hear_ends([&](const HexAttemptEnd& end) { ends.push_back(end); });
+  queue.run();
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0].next, "a 1, at the same time");
+}
+
 /// How the last attempt of a search ends that has a mesh which misses half of the volume.
 HexAttemptEnd last_end(double most_work, bool is_stopped = false) {
   HexAttemptEnd last;

@@ -275,6 +275,18 @@ TEST_F(HexMeshing, TellsWhyEachAttemptEndedAndWhichTetsAreTriedNext) {
   EXPECT_NE(ends.back().over, "");
 }
 
+TEST_F(HexMeshing, AnnouncesNoTetsThatAreTooMany) {
+  MeshingTuning tuning;
+  tuning.large_tets = 2000;
+  std::vector<HexAttemptEnd> ends;
+  const Hexahedra made =
+      partial_pyramid({2, 0.25}, tuning, 1000, {}, [&](const HexAttemptEnd& end) { ends.push_back(end); });
+  EXPECT_EQ(tets_of(made).size(), 1u);
+  ASSERT_FALSE(ends.empty());
+  for (const HexAttemptEnd& end : ends) EXPECT_FALSE(end.next.starts_with("tets")) << end.next;
+  EXPECT_EQ(ends.back().over, "nothing else is left to try");
+}
+
 TEST_F(HexMeshing, GivesTheBestMeshSoFarWhenItIsStopped) {
   Monitor* heard = nullptr;
   Monitor monitor([&](const Progress& progress) {
