@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/field_repairs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "base/degree.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/message.hpp"
+#include "crossgrain/place.hpp"
 #include "crossgrain/repair.hpp"
 #include "field/tet_finish.hpp"
 #include "harmonics/frame.hpp"
@@ -163,16 +168,23 @@ std::size_t moved_between(const TetMesh& before, const TetMesh& after) {
   return count;
 }
 
-[[noreturn]] void refuse_overlap() {
-  throw Error(ErrorKind::kInput,
-              {"", "",
-               "tets overlap, so that no way leads around some edges through all their tets; "
-               "mesh the part again before a repair"});
+/// Refuses tets, first with the number of those that bring it about.
+[[noreturn]] void refuse(const TetSolid& solid, const std::string& why) {
+  std::string text;
+  if (solid.faulty_tets > 0)
+    text = fmt::format("{} of {} tets {} inverted or flat, the first at {}: ", solid.faulty_tets,
+                       solid.mesh.tets.size() + solid.left_out_tets, is_or_are(solid.faulty_tets),
+                       words_of_place(solid.faulty_place));
+  throw Error(ErrorKind::kInput, {"", "", text + why + "; mesh the part again before a repair"});
 }
 
-void check_rings(const TetComplex& complex) {
+[[noreturn]] void refuse_overlap(const TetSolid& solid) {
+  refuse(solid, "tets overlap, so that no way leads around some edges through all their tets");
+}
+
+void check_rings(const TetComplex& complex, const TetSolid& solid) {
   for (const TetComplex::Edge& edge : complex.edges())
-    if (edge.is_branched && !edge.is_on_boundary()) refuse_overlap();
+    if (edge.is_branched && !edge.is_on_boundary()) refuse_overlap(solid);
 }
 
 bool is_united(const TetFrameField& field) {
@@ -183,11 +195,9 @@ bool is_united(const TetFrameField& field) {
 
 void check_repairable(const TetDomain& domain) {
   for (const Warning& warning : domain.warnings())
-    if (warning.kind == WarningKind::kOverlappingTets) refuse_overlap();
+    if (warning.kind == WarningKind::kOverlappingTets) refuse_overlap(domain.data().solid);
   if (domain.data().solid.left_out_tets > 0)
-    throw Error(ErrorKind::kInput, {"", "",
-                                    "tets without volume or duplicates leave gaps that no matching crosses; "
-                                    "mesh the part again before a repair"});
+    refuse(domain.data().solid, "tets without volume or duplicates leave gaps that no matching crosses");
 }
 
 FieldRepairs::FieldRepairs(TetFrameField field, RepairOptions options, RepairTuning tuning,
@@ -201,7 +211,7 @@ FieldRepairs::FieldRepairs(TetFrameField field, RepairOptions options, RepairTun
   check_repairable(field_.domain());
   if (field_.report().constraints)
     throw Error(ErrorKind::kUsage, {"", "the repair", "smoothed frames would leave the field's constraints"});
-  check_rings(complex_);
+  check_rings(complex_, field_.domain().data().solid);
   monitor.report({Phase::kRepair, 0, field_.domain().data().solid.mesh.vertices.size(), 0, std::nan("")});
 }
 

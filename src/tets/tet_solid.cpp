@@ -281,12 +281,13 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<Warning>& warnings) {
   check_features(mesh.feature_faces, mesh.vertices.size(), "tagged triangle");
   const std::size_t given = mesh.tets.size();
   const std::vector<TetShape> shapes = turn_tets(mesh);
-  Tally inverted, flat;
+  Tally inverted, flat, faulty;
   std::vector<std::uint8_t> take(given);
   for (std::size_t t = 0; t < given; ++t) {
     take[t] = shapes[t] != TetShape::kCollapsed;
     if (shapes[t] == TetShape::kInverted) inverted.add(t);
     if (shapes[t] == TetShape::kFlat || shapes[t] == TetShape::kCollapsed) flat.add(t);
+    if (shapes[t] != TetShape::kPositive) faulty.add(t);
   }
   if (flat.count == given)
     throw Error(ErrorKind::kInput,
@@ -298,6 +299,8 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<Warning>& warnings) {
   const TetFaces faces = faces_of_solid(mesh, take, warnings);
   TetSolid solid;
   solid.inverted_tets = inverted.count;
+  solid.faulty_tets = faulty.count;
+  if (faulty.count > 0) solid.faulty_place = centroid_of_tet(mesh, faulty.first);
   const std::vector<std::uint32_t> new_index = keep_tets(mesh, shapes, take, solid.flat_tets);
   solid.left_out_tets = given - mesh.tets.size();
   solid.mesh = std::move(mesh);

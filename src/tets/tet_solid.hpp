@@ -43,6 +43,8 @@ struct TetSolid {
 
   std::size_t inverted_tets = 0;    ///< number of tets reoriented by exchanging two vertices
   std::size_t left_out_tets = 0;    ///< number of tets without volume or with the vertices of an earlier one
+  std::size_t faulty_tets = 0;      ///< number of tets given that are inverted or without volume
+  Vector3 faulty_place{0, 0, 0};    ///< the centroid of the first of these
   std::size_t unused_vertices = 0;  ///< number of vertices of no tet of `mesh`
 };
 

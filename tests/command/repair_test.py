@@ -343,6 +343,17 @@ class WrongUse(RepairTest):
         self.assertIn("overlap", result.stderr.splitlines()[-1])
         self.assertEqual(self.names(), ["fold.mesh"])
 
+    def test_of_a_tet_pushed_through_its_side_tells_how_many_are_inverted(self):
+        vertices, tets = tet_box((2, 2, 2))
+        inside = int(np.flatnonzero((vertices == np.array([1.0, 0.5, 0.75])).all(axis=1))[0])
+        vertices[inside] += (1.2, 0, 0)
+        edges = vertices[tets[:, 1:]] - vertices[tets[:, :1]]
+        count = int((np.linalg.det(edges) <= 0).sum())
+        self.write("through.mesh", medit_text(vertices, tets))
+        result = self.run_here("solve", "through.mesh", "--repair", "-o", "out", "--quiet")
+        self.assertEqual(result.returncode, INPUT, result.stderr)
+        self.assertRegex(result.stderr.splitlines()[-1], rf": {count} of {len(tets)} tets are inverted or flat, the first at \S+ \S+ \S+: tets overlap")
+
 
 class DamagedFolders(RepairTest):
     def setUp(self):
