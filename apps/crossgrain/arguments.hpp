@@ -96,6 +96,9 @@ struct StreamlinesArguments {
   bool quiet = false;
 };
 
+/// What `render` draws.
+enum class Subject { kHexahedraIfAny, kField, kHexahedra };
+
 struct RenderArguments {
   std::string field;
   FieldChoice choice = FieldChoice::kTetsIfAny;
@@ -103,7 +106,7 @@ struct RenderArguments {
   bool is_output_named = false;
   PictureOptions options;
   bool streamlines = false;  ///< draw the lines of kStreamlinesFile in the folder
-  bool hexahedra = false;    ///< draw the hexahedra of kHexahedraFile instead of the field
+  Subject subject = Subject::kHexahedraIfAny;
   int threads = 0;
   bool quiet = false;
 };

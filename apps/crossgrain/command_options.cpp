@@ -93,22 +93,33 @@ void add_field_choice(CLI::App& command, FieldChoice& choice) {
              "tets|grid");
 }
 
+/// Whether `render` draws the numbers of a field on the surface, which hexahedra have not.
+bool is_of_field(PictureColour colour) {
+  return colour == PictureColour::kAlignment || colour == PictureColour::kEnergy ||
+         colour == PictureColour::kConstraint;
+}
+
 void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
-  CLI::Option* hexahedra =
-      command.add_flag("--hexahedra", arguments.hexahedra,
-                       "Draw the hexahedra that 'crossgrain hex' has written to the folder instead, coloured "
-                       "by scaled Jacobian; a cut removes whole ones");
+  const CLI::Option* const hexahedra = command.add_flag(
+      "--hexahedra",
+      "Draw the hexahedra that 'crossgrain hex' has written to the folder, coloured by scaled "
+      "Jacobian (default where there are any); a cut removes whole ones");
+  const CLI::Option* const below = add_number(command, "--below", arguments.options.quality_below, "X", -1, 2,
+                                              "Draw only the hexahedra with a scaled Jacobian below this");
   const std::vector<const CLI::Option*> of_fields{
       command.get_option("--field"), command.get_option("--streamlines"), command.get_option("--range"),
       command.get_option("--frames")};
-  command.parse_complete_callback([hexahedra, of_fields] {
-    if (hexahedra->count() == 0) return;
+  command.parse_complete_callback([&arguments, hexahedra, below, of_fields] {
+    if (is_of_field(arguments.options.colour)) arguments.subject = Subject::kField;
     for (const CLI::Option* option : of_fields)
-      if (option->count() > 0) throw CLI::ExcludesError(hexahedra->get_name(), option->get_name());
+      if (option->count() > 0) arguments.subject = Subject::kField;
+    for (const CLI::Option* of_mesh : {hexahedra, below}) {
+      if (of_mesh->count() == 0) continue;
+      for (const CLI::Option* option : of_fields)
+        if (option->count() > 0) throw CLI::ExcludesError(of_mesh->get_name(), option->get_name());
+      arguments.subject = Subject::kHexahedra;
+    }
   });
-  add_number(command, "--below", arguments.options.quality_below, "X", -1, 2,
-             "With --hexahedra, draw only those with a scaled Jacobian below this")
-      ->needs(hexahedra);
 }
 
 void add_looks(CLI::App& command, PictureOptions& options) {
@@ -263,8 +274,8 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
                                          "Draws a picture of a field: the part, its singular lines, "
                                          "and frames on a cut; or of hexahedra");
   add_examples(*command,
-               "crossgrain render part.frames --cut y                   # frames on a cut\n"
-               "crossgrain render part.hexahedra --hexahedra --below 0.5   # the worst ones",
+               "crossgrain render part.frames --cut y           # frames on a cut\n"
+               "crossgrain render part.hexahedra --below 0.9    # the hexahedra of poorer shapes",
                "0 done; 2 wrong usage; 3 bad input; 4 the picture cannot be written; 130 Ctrl-C: nothing is "
                "written");
   PictureOptions& options = arguments.options;

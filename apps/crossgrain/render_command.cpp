@@ -43,13 +43,13 @@ std::vector<AxisCurve> streamlines_in(const std::filesystem::path& folder) {
 }
 
 /// What is drawn, read from the folder.
-struct Subject {
+struct Field {
   std::variant<FrameField, TetFrameField> field;
   SingularityGraph lines;
   std::vector<AxisCurve> streamlines;
 };
 
-Subject read_subject(const RenderArguments& arguments) {
+Field read_field_of(const RenderArguments& arguments) {
   const std::filesystem::path folder = arguments.field;
   const bool has_tets = may_exist(folder / kTetSingularityFile);
   if (arguments.choice == FieldChoice::kTets && !has_tets)
@@ -87,8 +87,11 @@ void draw_hexahedra(const RenderArguments& arguments, const Monitor& monitor) {
 }
 
 void draw(const RenderArguments& arguments, const Monitor& monitor) {
-  if (arguments.hexahedra) return draw_hexahedra(arguments, monitor);
-  const Subject subject = read_one_solve(arguments.field, [&] { return read_subject(arguments); });
+  const std::filesystem::path folder = arguments.field;
+  const bool has_any = may_exist(folder / kHexahedraFile) || may_exist(folder / kPartialHexahedraFile);
+  if (arguments.subject == Subject::kHexahedra || (arguments.subject == Subject::kHexahedraIfAny && has_any))
+    return draw_hexahedra(arguments, monitor);
+  const Field subject = read_one_solve(folder, [&] { return read_field_of(arguments); });
   const PictureCurves curves{&subject.lines, subject.streamlines};
   const auto render = [&](const auto& field) {
     naming(arguments.field,

@@ -26,7 +26,7 @@ enum class PictureColour {
   kAlignment,   ///< angle between the normal and the nearest axis, degrees
   kEnergy,      ///< smoothness energy per volume, on a logarithmic scale
   kConstraint,  ///< class of the constraints (CellConstraint); only for a field on a grid
-  kRegion,      ///< the solid or region, of several
+  kRegion,      ///< the solid or region, of several; also of hexahedra
   kFace,        ///< the face of the model, with its number; also of hexahedra
 };
 
@@ -60,7 +60,8 @@ struct PictureOptions {
   /// the side seen from +z; with x up, the side seen from -z, with y to the right.
   int up_axis = 2;
 
-  PictureColour colour = PictureColour::kNone;  ///< of hexahedra kNone, their scaled Jacobian, or kFace
+  PictureColour colour =
+      PictureColour::kNone;  ///< of hexahedra kNone, their scaled Jacobian, kFace or kRegion
 
   /// Ends of the colour scale in degrees or length^-2, both positive for kEnergy; derived from the field by
   /// default.

@@ -11,6 +11,7 @@
 #include "crossgrain/error.hpp"
 #include "display/shown_faces.hpp"
 #include "picture/face_labels.hpp"
+#include "picture/region_colours.hpp"
 
 namespace crossgrain {
 namespace {
@@ -23,14 +24,6 @@ constexpr double kLeastAngles = 5;
 
 /// Largest number of powers of ten on a logarithmic scale.
 constexpr double kMostDecades = 4;
-
-/// Tones for regions that no line, axis or class has, in the order of region numbers; they repeat.
-constexpr std::array<Colour, 10> kRegionColours{
-    colour_of(0xc9b48f), colour_of(0x8fb3b5), colour_of(0xb9a3c4), colour_of(0xa9bd8c), colour_of(0xd4a594),
-    colour_of(0x8d9dbb), colour_of(0xd9cf8a), colour_of(0x9c8f86), colour_of(0xc9bfd9), colour_of(0x7d9c8c)};
-
-/// Most regions with a line of their own in the legend.
-constexpr std::size_t kMostNamed = 10;
 
 struct ClassLook {
   const char* text;
@@ -152,11 +145,6 @@ Colour CellColours::of_number(double number) const {
   return std::isfinite(number) ? map_.at(scale_.share_of(number)) : kPlainPart;
 }
 
-Colour CellColours::of_region(std::int32_t region) const {
-  const auto place = std::lower_bound(regions_.begin(), regions_.end(), region) - regions_.begin();
-  return kRegionColours[static_cast<std::size_t>(place) % kRegionColours.size()];
-}
-
 Colour CellColours::class_at(const MeshPoint& point) const {
   const CellIndex leaf = boundary_->beside(point.place, point.normal).leaf;
   if (leaf == kNoCell) return kPlainPart;
@@ -171,7 +159,7 @@ Colour CellColours::on_surface(const MeshPoint& point) const {
     case PictureColour::kConstraint:
       return class_at(point);
     case PictureColour::kRegion:
-      return of_region(field_.surface().regions[point.triangle]);
+      return colour_of_region(regions_, field_.surface().regions[point.triangle]);
     case PictureColour::kFace:
       return colour_of_face(faces_[point.triangle]);
     case PictureColour::kNone:
@@ -186,13 +174,14 @@ std::optional<Colour> CellColours::on_cut(const Vector3& point,
   if (leaf == kNoCell || (field_.grid().on_boundary[leaf] != 0 && !is_enclosed())) return std::nullopt;
   if (what_ == PictureColour::kEnergy) return of_number(numbers_->energy_at(point));
   if (what_ == PictureColour::kRegion)
-    return of_region(sections_->at(point).value_or(field_.grid().regions[leaf]));
+    return colour_of_region(regions_, sections_->at(point).value_or(field_.grid().regions[leaf]));
   return kPlainCut;
 }
 
 Colour CellColours::of_tet(std::uint32_t tet) const {
   if (what_ == PictureColour::kEnergy) return of_number(numbers_->energy_of_tet(tet));
-  if (what_ == PictureColour::kRegion) return of_region(field_.tets().solid.mesh.regions[tet]);
+  if (what_ == PictureColour::kRegion)
+    return colour_of_region(regions_, field_.tets().solid.mesh.regions[tet]);
   return kPlainCut;
 }
 
@@ -206,17 +195,6 @@ LegendBlock CellColours::class_legend() const {
   return block;
 }
 
-LegendBlock CellColours::region_legend() const {
-  LegendBlock block{fmt::format("Regions ({})", regions_.size())};
-  const std::size_t named = regions_.size() > kMostNamed ? kMostNamed - 1 : regions_.size();
-  for (std::size_t i = 0; i < named; ++i)
-    block.signs.push_back({Sign::Shape::kBox, of_region(regions_[i]), fmt::format("{}", regions_[i])});
-  if (named < regions_.size())
-    block.signs.push_back({Sign::Shape::kBox, kRegionColours[named % kRegionColours.size()],
-                           fmt::format("and {} more, colours repeat", regions_.size() - named)});
-  return block;
-}
-
 std::optional<LegendBlock> CellColours::legend() const {
   switch (what_) {
     case PictureColour::kAlignment:
@@ -227,7 +205,7 @@ std::optional<LegendBlock> CellColours::legend() const {
     case PictureColour::kConstraint:
       return class_legend();
     case PictureColour::kRegion:
-      return region_legend();
+      return region_legend(regions_);
     case PictureColour::kFace:
       return face_legend(faces_);
     case PictureColour::kNone:

@@ -53,10 +53,8 @@ class CellColours {
   void choose_regions(const PictureOptions& options);
   void choose_faces();
   Colour of_number(double number) const;
-  Colour of_region(std::int32_t region) const;
   Colour class_at(const MeshPoint& point) const;
   LegendBlock class_legend() const;
-  LegendBlock region_legend() const;
 
   const ShownField& field_;
   LeafFinder finder_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/message.hpp"
@@ -13,6 +14,7 @@
 #include "measure/hex_quality.hpp"
 #include "picture/face_labels.hpp"
 #include "picture/field_drawing.hpp"
+#include "picture/region_colours.hpp"
 
 namespace crossgrain {
 namespace {
@@ -164,18 +166,38 @@ ShownHexahedra::ShownHexahedra(const HexMesh& mesh, const PictureOptions& option
       throw Error(ErrorKind::kUsage, fmt::format("the cut at {} = {:.6g} leaves no hexahedron", "xyz"[axis],
                                                  cut -> asked_position));
   }
-  if (options.quality_below) {
-    kept_edges_ = sharp_edges(mesh, skin_.faces);
-    for (std::size_t h = 0; h < is_shown.size(); ++h)
-      is_shown[h] = is_shown[h] != 0 && shapes_[h] < *options.quality_below;
-    skin_ = skin_of(mesh, is_shown);
-  }
+  if (options.quality_below) take_below(*options.quality_below, is_shown);
   shown_ = static_cast<std::size_t>(std::count(is_shown.begin(), is_shown.end(), 1));
   surface_ = triangles_of(mesh, skin_.faces);
-  if (options.colour != PictureColour::kFace) return;
-  if (std::ranges::all_of(mesh.boundary, [](const HexMesh::Face& face) { return face.tag == 0; }))
+  choose_colours();
+}
+
+/// A picture of nothing would look like one of a mesh without poor hexahedra.
+void ShownHexahedra::take_below(double limit, std::vector<std::uint8_t>& is_shown) {
+  kept_edges_ = sharp_edges(mesh_, skin_.faces);
+  double worst = 2;  // more than any
+  for (std::size_t h = 0; h < is_shown.size(); ++h) {
+    if (is_shown[h] == 0) continue;
+    worst = std::min(worst, shapes_[h]);
+    is_shown[h] = shapes_[h] < limit;
+  }
+  if (!(worst < limit))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("no hexahedron{} has a scaled Jacobian below {:g}: the worst has {:.4g}",
+                            options_.cut ? " that the cut leaves" : "", limit, worst));
+  skin_ = skin_of(mesh_, is_shown);
+}
+
+void ShownHexahedra::choose_colours() {
+  if (options_.colour == PictureColour::kRegion) {
+    const std::set<std::int32_t> regions(mesh_.regions.begin(), mesh_.regions.end());
+    if (regions.size() < 2) throw Error(ErrorKind::kUsage, "the hexahedra have only one region");
+    regions_.assign(regions.begin(), regions.end());
+  }
+  if (options_.colour != PictureColour::kFace) return;
+  if (std::ranges::all_of(mesh_.boundary, [](const HexMesh::Face& face) { return face.tag == 0; }))
     throw Error(ErrorKind::kInput, "the hexahedra have no faces of a model");
-  tags_ = tags_of_sides(mesh, skin_.faces);
+  tags_ = tags_of_sides(mesh_, skin_.faces);
 }
 
 Drawing ShownHexahedra::drawing(const Camera& camera, double text_size) const {
@@ -186,7 +208,9 @@ Drawing ShownHexahedra::drawing(const Camera& camera, double text_size) const {
   mesh.shading = kShading;
   mesh.colour_at = [this](const MeshPoint& point) {
     if (!tags_.empty()) return colour_of_face(tags_[point.triangle / 4]);
-    return colour_of_shape(shapes_[skin_.faces[point.triangle / 4].hexahedron]);
+    const std::size_t hexahedron = skin_.faces[point.triangle / 4].hexahedron;
+    if (!regions_.empty()) return colour_of_region(regions_, mesh_.regions[hexahedron]);
+    return colour_of_shape(shapes_[hexahedron]);
   };
   Drawing drawing;
   if (!tags_.empty()) {
@@ -218,6 +242,7 @@ std::vector<LegendBlock> ShownHexahedra::legend(const HexReport* report) const {
   const double worst = *std::min_element(shapes_.begin(), shapes_.end());
   shapes.signs.push_back({Sign::Shape::kNothing, {}, fmt::format("worst {:.2g}", worst)});
   if (!tags_.empty()) shapes = face_legend(tags_);
+  if (!regions_.empty()) shapes = region_legend(regions_);
   std::vector<LegendBlock> blocks{outcome_block(mesh_.hexahedra.size(), report), std::move(shapes)};
   if (options_.quality_below)
     blocks.push_back(

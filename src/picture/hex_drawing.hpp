@@ -21,8 +21,9 @@ namespace crossgrain {
 /// The hexahedra of a mesh that a picture shows. Refers to the mesh.
 class ShownHexahedra {
  public:
-  /// Those of which the options ask for. Throws Error(kUsage) if a cut leaves none, or as `picture_cut`;
-  /// Error(kInput) for colours by face if the mesh has no tags.
+  /// Those of which the options ask for. Throws Error(kUsage) if a cut or a limit of shapes leaves none, for
+  /// colours by region if there is only one, or as `picture_cut`; Error(kInput) for colours by face if the
+  /// mesh has no tags.
   ShownHexahedra(const HexMesh& mesh, const PictureOptions& options, const Vector3& towards);
 
   /// What fills the picture: the outside of what the cut leaves, whether its shapes are shown or not.
@@ -37,13 +38,17 @@ class ShownHexahedra {
   std::vector<LegendBlock> legend(const HexReport* report) const;
 
  private:
+  void take_below(double limit, std::vector<std::uint8_t>& is_shown);
+  void choose_colours();
+
   const HexMesh& mesh_;
   const PictureOptions& options_;
-  std::vector<double> shapes_;      ///< scaled Jacobians
-  std::size_t shown_ = 0;           ///< number of hexahedra
-  HexSkin skin_;                    ///< of these
-  std::vector<std::int32_t> tags_;  ///< for colours by face, of the faces of skin_
-  SolvedSurface surface_;           ///< four triangles for each face of skin_
+  std::vector<double> shapes_;         ///< scaled Jacobians
+  std::size_t shown_ = 0;              ///< number of hexahedra
+  HexSkin skin_;                       ///< of these
+  std::vector<std::int32_t> tags_;     ///< for colours by face, of the faces of skin_
+  std::vector<std::int32_t> regions_;  ///< for colours by region, ascending
+  SolvedSurface surface_;              ///< four triangles for each face of skin_
   SolvedSurface kept_surface_;
   std::vector<std::array<std::uint32_t, 2>> kept_edges_;  ///< sharp ones of it, for a limit of shapes
 };

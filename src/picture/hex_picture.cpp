@@ -31,8 +31,9 @@ void render_picture(const HexMesh& mesh, const std::filesystem::path& picture, c
                     const HexReport* report, const Monitor& monitor) {
   check_options(options);
   check_picture_name(picture);
-  check_option(options.colour == PictureColour::kNone || options.colour == PictureColour::kFace,
-               "hexahedra are coloured by their scaled Jacobian or by face, and by nothing else");
+  check_option(options.colour == PictureColour::kNone || options.colour == PictureColour::kFace ||
+                   options.colour == PictureColour::kRegion,
+               "hexahedra are coloured by their scaled Jacobian, by face or by region");
   check_mesh(mesh);
   OutputFile file(picture);
   monitor.check();

@@ -90,10 +90,22 @@ class HexPictures(CommandTest):
 
     def test_a_limit_leaves_those_of_worse_shapes(self):
         limit = float(np.median(self.shapes))
-        expected = int((self.shapes < 0.5).sum())
-        self.assertIn(f"\n{expected} hexahedra shown, below 0.5\n", self.render("--below", "0.5"))
+        expected = int((self.shapes < limit).sum())
+        self.assertIn(f"\n{expected} hexahedra shown, below {limit:.3g}\n", self.render("--below", str(limit)))
         self.assertIn(f"\n{len(self.shapes)} hexahedra shown, below 2\n", self.render("--below", "2"))
-        self.assertGreater(limit, 0.5)
+
+    def test_a_limit_that_none_is_below_is_an_error_with_the_worst(self):
+        worst = self.shapes.min()
+        self.assertIn(f"no hexahedron has a scaled Jacobian below {worst - 0.1:g}: the worst has {worst:.4g}",
+                      self.refused("box.hexahedra", "--below", f"{worst - 0.1:g}", code=USAGE))
+
+    def test_they_are_drawn_where_there_are_any_unless_the_field_is_asked_for(self):
+        def legend(*arguments):
+            self.assert_succeeds(self.run_here("render", "box.hexahedra", "--size", "400x300", "-o", "b.png", *arguments))
+            return legend_of(self.folder / "b.png")
+        self.assertEqual(legend(), self.render())
+        for option in (("--field", "tets"), ("--frames", "boxes"), ("--colour", "alignment")):
+            self.assertNotIn("All-hex", legend(*option))
 
     def test_the_bytes_are_the_same_for_any_number_of_threads(self):
         contents = set()
@@ -127,7 +139,8 @@ class HexPictures(CommandTest):
         for option in (("--field", "tets"), ("--range", "0,1"), ("--frames", "boxes"), ("--streamlines",)):
             self.assertIn(" exclude each other", self.refused("box.hexahedra", "--hexahedra", *option, code=USAGE))
         self.assertIn("by face", self.refused("box.hexahedra", "--hexahedra", "--colour", "energy", code=USAGE))
-        self.assertIn("--below needs --hexahedra", self.refused("box.hexahedra", "--below", "0.5", code=USAGE))
+        self.assertIn("only one region", self.refused("box.hexahedra", "--colour", "region", code=USAGE))
+        self.assertIn(" exclude each other", self.refused("box.hexahedra", "--below", "0.5", "--field", "tets", code=USAGE))
         self.assertIn("leaves no hexahedron", self.refused("box.hexahedra", "--hexahedra", "--view", "right", "--cut", f"x={self.vertices[:, 0].min() + 1e-3}", code=USAGE))
 
     def test_the_page_has_all_of_them_with_their_shapes(self):
