@@ -58,7 +58,7 @@ test("several places of a reason are folded beneath it, and opened on demand", a
   assert.deepEqual((await state(page)).marked.point, [10, 10, 0]);
 });
 
-test("a click on a face of a field names the face and the set that hexahedra would have", async () => {
+test("a click on a face of a field names the face", async () => {
   const { page } = await shared_page("tets");
   await page.evaluate(() => window.crossgrain.change({ cut: { on: false }, opacity: 1 }));
   await page.evaluate(() => window.crossgrain.setView("right"));
@@ -66,7 +66,7 @@ test("a click on a face of a field names the face and the set that hexahedra wou
   const plain = await picture(page);
   await page.mouse.click(...clicked);
   assert.equal(await page.locator(by_test("face-title")).innerText(), "Face 2");
-  assert.equal(await page.locator(by_test("face-set")).innerText(), "set FACE_2 of the hexahedra.inp that “crossgrain hex” writes");
+  assert.equal(await page.locator(by_test("face-set")).count(), 0, "there is no file with it");
   assert.equal(await page.locator(by_test("face-area")).count(), 0);
   assert.match(await page.locator(by_test("cell-title")).innerText(), /^Tet /);
   assert.ok((await difference(page, plain, await picture(page))).mean > 0.02, "it is tinted");

@@ -161,7 +161,7 @@ test("with tets, faults are those of the field on the tets", () => {
   const onto = { tets: 9, singularity: { arcs: 0, nodes: 0, corner_list: [{ creases: [1], verdict: "undecided", place: [1, 2, 3] }] } };
   const faults = faults_of({ ...report, onto });
   assert.deepEqual(faults.map(({ part, place }) => [part, place]), [["corner", [1, 2, 3]]]);
-  assert.equal(faults[0].words, "creases of 1 hexahedra");
+  assert.equal(faults[0].words, "its crease takes 1 hexahedron");
 });
 
 test("marks are counted by their shape, and by their colour with those of other faults", () => {

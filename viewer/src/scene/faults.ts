@@ -62,4 +62,8 @@ function words_of_arc({ type }: ArcEntry): string {
 const words_of_node = ({ arcs }: NodeEntry): string => `${arcs.length} ${arcs.length === 1 ? "line" : "lines"}`;
 const words_of_crease = ({ least_angle_deg }: CreaseEntry): string => `${least_angle_deg.toPrecision(3)}°`;
 
-const words_of_corner = ({ creases }: CornerEntry): string => (creases.length > 0 ? `creases of ${creases.join(", ")} hexahedra` : "lines end at it");
+function words_of_corner({ creases }: CornerEntry): string {
+  if (creases.length === 0) return "lines end at it";
+  if (creases.length === 1) return `its crease takes ${creases[0]} ${creases[0] === 1 ? "hexahedron" : "hexahedra"}`;
+  return `its creases take ${creases.slice(0, -1).join(", ")} and ${creases[creases.length - 1]} hexahedra`;
+}

@@ -72,6 +72,7 @@ export interface Warning {
   file?: string;
   place?: string;
   text: string;
+  remedy?: string;
   advice?: string;
 }
 
@@ -79,8 +80,13 @@ export interface Warning {
 export interface HexReport {
   outcome: string;
   reason?: string;
+  remedy?: string;
+  remedy_number?: number;
   next?: string;
   places?: Vector[];
+  /** Cells of the grid without a hexahedron, and the first of them. */
+  left_out?: number;
+  left_out_place?: Vector;
   hexahedra: number;
   /** Number that was expected at the size asked for. */
   expected?: number;

@@ -4,6 +4,7 @@
 import { set_of, type ModelFace } from "../scene/faces.ts";
 import type { Report } from "../scene/report.ts";
 import { counted, element, measured } from "./dom.ts";
+import { mesh_file } from "./mesh_summary.ts";
 
 interface Column {
   name: string;
@@ -24,7 +25,7 @@ function columns_of(faces: ModelFace[], unit: string): Column[] {
 }
 
 /** The table, folded; null for a model whose faces have no numbers. `show` is null where there is no view. */
-export function face_table(faces: ModelFace[], unit: string, show: ((face: number) => void) | null): HTMLElement | null {
+export function face_table(faces: ModelFace[], report: Report, unit: string, show: ((face: number) => void) | null): HTMLElement | null {
   if (faces.length === 0) return null;
   const columns = columns_of(faces, unit);
   const body = element("tbody", {});
@@ -43,7 +44,13 @@ export function face_table(faces: ModelFace[], unit: string, show: ((face: numbe
     element("summary", {}, title, element("span", { class: "tally" }, ` ${counted(faces.length)}`)),
     element("div", { class: "face-scroll", tabindex: 0, role: "region", "aria-label": title },
       element("table", { class: "face-table" }, element("thead", {}, element("tr", {}, ...heads)), body)),
-    element("p", { class: "fine" }, `${columns[0].name} 12 is the set ${set_of(12)} of hexahedra.inp and the group “face 12” of hexahedra.msh.`));
+    sets_text(faces, report) ? element("p", { class: "fine" }, sets_text(faces, report)) : null);
+}
+
+/** What faces are called in the files of the mesh, by the first that it has; empty without these files. */
+export function sets_text(faces: ModelFace[], report: Report): string {
+  const [inp, msh, face] = [mesh_file(report, "inp"), mesh_file(report, "msh"), faces.find(({ quads }) => quads !== null && quads > 0)];
+  return inp && msh && face ? `${noun_of(face.kind)} ${face.number} is the set ${set_of(face.number)} of ${inp} and the group “face ${face.number}” of ${msh}.` : "";
 }
 
 const compared = (a: number | string, b: number | string): number => (typeof a === "string" || typeof b === "string" ? String(a).localeCompare(String(b)) : a - b);
@@ -64,13 +71,13 @@ export const noun_of = (kind: string | null): "Face" | "Patch" => (kind === "pat
 export const face_title = ({ number, kind }: ModelFace): string => `${noun_of(kind)} ${number}${kind && kind !== "patch" ? ` · ${kind}` : ""}`;
 
 /** What is known of the face that is picked. */
-export function face_block(face: ModelFace, { hexahedra }: Report, unit: string, actions: { go(): void; close: (() => void) | null }): HTMLElement {
-  const set = set_of(face.number);
+export function face_block(face: ModelFace, report: Report, unit: string, actions: { go(): void; close: (() => void) | null }): HTMLElement {
+  const file = mesh_file(report, "inp");
   const facts: [string, string, string][] = [
     ["Kind", face.kind ?? "", "face-kind"],
     ["Area", face.area === null ? "" : `${measured(face.area)}${unit ? ` ${unit}²` : ""}`, "face-area"],
     ["Quads", face.quads === null ? "" : face.quads === 0 ? "none: the mesh does not have this face" : counted(face.quads), "face-quads"],
-    ["In files", hexahedra ? `set ${set} of hexahedra.inp` : `set ${set} of the hexahedra.inp that “crossgrain hex” writes`, "face-set"],
+    ["In files", file && face.quads ? `set ${set_of(face.number)} of ${file}` : "", "face-set"],
   ];
   return element("section", { class: "block", "data-testid": "face" },
     element("div", { class: "cell-head" }, element("h2", { "data-testid": "face-title" }, `${noun_of(face.kind)} ${face.number}`),

@@ -6,8 +6,9 @@ import { subtract, type Vector } from "../math/frame.ts";
 import { hexahedron_centered_at, number_of } from "../scene/hexahedra.ts";
 import type { HexReport, Report } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
+import { advice_on } from "./advice.ts";
 import { sign, type Badge } from "./badge.ts";
-import { counted, duration, element, measured, memory } from "./dom.ts";
+import { coordinates, counted, duration, element, measured, memory, plural } from "./dom.ts";
 import { hexahedra_text, hexahedron_title, shape_text } from "./hex_panel.ts";
 import type { Place } from "./place.ts";
 import { in_words, place_lists, worst_buttons, type Go } from "./places.ts";
@@ -30,8 +31,8 @@ export function hexahedra_badge({ hexahedra }: Report): Badge | null {
 /** The answer, why it is not another, and the worst hexahedron. */
 export function mesh_card(report: Report, scene: Scene | null, origin: Vector, go: Go | null): HTMLElement {
   const outcome = hexahedra_badge(report)!;
-  const { hexahedra, reason, next, is_stopped } = report.hexahedra!;
-  const why = [reason, next].filter(Boolean).join("; ");
+  const { hexahedra, reason, remedy, remedy_number, next, is_stopped } = report.hexahedra!;
+  const why = [lacking(report.hexahedra!), reason, advice_on(remedy, remedy_number, next)].filter(Boolean).join("; ");
   return element("div", { class: `verdict ${outcome.judgement}`, "data-testid": "hexahedra" },
     sign(outcome),
     element("div", {},
@@ -41,10 +42,19 @@ export function mesh_card(report: Report, scene: Scene | null, origin: Vector, g
   );
 }
 
-/** The worst hexahedron; none if the report names none. */
+/** What a part of the model lacks, and where. */
+export function lacking({ outcome, left_out, left_out_place }: HexReport): string {
+  if (outcome !== "partial" || !left_out) return "";
+  return `${plural(left_out, "cell")} left out${left_out_place ? ` near ${coordinates(left_out_place)}` : ""}`;
+}
+
+// Above it a hexahedron is a box, and the worst of a perfect mesh is none to look at.
+const kPerfect = 1 - 1e-6;
+
+/** The worst hexahedron; none if the report names none, or all are boxes. */
 function worst_hexahedron({ hexahedra }: Report, scene: Scene | null, origin: Vector): Place[] {
   const shapes = hexahedra?.scaled_jacobian;
-  if (!hexahedra || hexahedra.hexahedra === 0 || !shapes?.worst_place) return [];
+  if (!hexahedra || hexahedra.hexahedra === 0 || !shapes?.worst_place || shapes.min > kPerfect) return [];
   const place = place_of_hexahedron(subtract(shapes.worst_place, origin), scene);
   return [{ ...place, label: "Worst hexahedron", detail: shape_text(shapes.min), warn: shapes.inverted > 0 }];
 }
@@ -85,7 +95,7 @@ export function mesh_numbers(report: Report, scene: Scene | null): HTMLElement[]
   list.append(number("Hexahedra", counted(mesh.hexahedra), expected_text(mesh), "number-hexahedra"));
   if (shapes && mesh.hexahedra > 0) list.append(number("Worst scaled Jacobian", shape_text(shapes.min), [worst_number(mesh, scene), `${measured(shapes.mean, 2)} in the mean`].filter(Boolean).join(", "), "number-worst"));
   if (report.seconds?.total !== undefined) list.append(number("Time", duration(report.seconds.total), report.peak_memory_bytes ? memory(report.peak_memory_bytes) : ""));
-  const facts: [string, string, string][] = [["Fit", fit_text(mesh, unit), "mesh-fit"], ["Inverted", shapes?.inverted ? counted(shapes.inverted) : "", "mesh-inverted"], ["Way", mesh.way ?? "", "mesh-way"], ["Files", files_text(report), "mesh-files"]];
+  const facts: [string, string, string][] = [["Fit", fit_text(mesh, unit), "mesh-fit"], ["Inverted", shapes?.inverted ? counted(shapes.inverted) : "", "mesh-inverted"], ["Way", mesh.way ?? "", "mesh-way"], ["Files", files_of(report).join(", "), "mesh-files"]];
   const told = facts.filter(([, text]) => text !== "");
   return [list, element("dl", { class: "facts" }, ...told.flatMap(([name, text, test]) => [element("dt", {}, name), element("dd", { "data-testid": test }, text)]))];
 }
@@ -165,7 +175,10 @@ function mesh_files({ outcome, scaled_jacobian }: HexReport): string[] {
 }
 
 /** The files that have the mesh, and its map. */
-function files_text({ hexahedra, unmarked_files = [] }: Report): string {
-  if (hexahedra!.hexahedra === 0) return "";
-  return [...new Set([...mesh_files(hexahedra!), ...unmarked_files.map(({ name }) => name).filter((name) => name.startsWith(kMeshFileStart))])].join(", ");
+function files_of({ hexahedra, unmarked_files = [] }: Report): string[] {
+  if (!hexahedra || hexahedra.hexahedra === 0) return [];
+  return [...new Set([...mesh_files(hexahedra), ...unmarked_files.map(({ name }) => name).filter((name) => name.startsWith(kMeshFileStart))])];
 }
+
+/** The file with this ending that has the mesh; none if there is none. */
+export const mesh_file = (report: Report, ending: "inp" | "msh"): string | undefined => files_of(report).find((name) => name.endsWith(`.${ending}`));

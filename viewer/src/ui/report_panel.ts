@@ -25,7 +25,7 @@ export function report_blocks(report: Report, faces: ModelFace[], view: PanelVie
   const scene = view?.scene ?? null;
   const go = view?.go ?? null;
   const origin: Vector = scene?.origin ?? [0, 0, 0];
-  const table = face_table(faces, report.model?.unit ?? "", view?.show_face ?? null);
+  const table = face_table(faces, report, report.model?.unit ?? "", view?.show_face ?? null);
   const answer = answer_blocks(report, report.hexahedra ? null : scene, origin, go);
   const field = [...answer, key_numbers(report), tet_alignment(report), alignment_scale(report)];
   const input = place_lists(input_groups(report, origin), origin, go);

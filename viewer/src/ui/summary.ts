@@ -2,6 +2,7 @@
 // The numbers by which a field is judged, from the report alone.
 
 import { judged_lines, type Report, type Statistics, type Warning } from "../scene/report.ts";
+import { advice_on } from "./advice.ts";
 import { amount, counted, degrees, duration, element, measured, memory, plural } from "./dom.ts";
 
 /** Returns which part of the requested field this is, if the solve was stopped. */
@@ -128,8 +129,9 @@ export function warnings_list(report: Report): HTMLElement | null {
 }
 
 /** Without the file, whose whole path is nothing to show. */
-function sentence_of({ place, text, advice }: Warning): string {
-  return `${place ? `${place}: ` : ""}${text}${advice ? `; ${advice}` : ""}`;
+function sentence_of({ place, text, remedy, advice }: Warning): string {
+  const next = advice_on(remedy, undefined, advice);
+  return `${place ? `${place}: ` : ""}${text}${next ? `; ${next}` : ""}`;
 }
 
 export function about(report: Report): HTMLElement {
