@@ -110,8 +110,8 @@ struct HexReport {
          analysis_seconds = 0;
 };
 
-/// Returns the report as a sentence: "all-hex: 1268 of 2", what a part lacks, with reason and remedy, whether the search was
-/// stopped, and their size and number beside those expected where they differ.
+/// Returns the report as a sentence: "all-hex: 1268 of 2", what a part lacks, with reason and remedy, whether
+/// the search was stopped, and their size and number beside those expected where they differ.
 std::string sentence_of(const HexReport& report);
 
 /// Returns the sentence with other words for the remedy.
@@ -121,8 +121,8 @@ std::string sentence_of(const HexReport& report, const std::string& remedy_words
 /// without attempts.
 std::string way_of(const HexReport& report);
 
-/// Returns both distances in words, the larger last: "mesh up to 0.17 off the surface; surface up to 2.07 from
-/// the mesh, at 3.2 0.1 4".
+/// Returns both distances in words, the larger last: "mesh up to 0.17 off the surface; surface up to 2.07
+/// from the mesh, at 3.2 0.1 4".
 std::string distances_of(const HexReport& report);
 
 /// Returns shapes in words: "scaled Jacobian 0.71 at 3.2 0.1 4, 0.93 in the mean".

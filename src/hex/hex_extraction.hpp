@@ -29,7 +29,8 @@ struct ExtractedHexahedra {
   std::vector<Carrier> carriers;           ///< of the vertices
   std::vector<std::uint32_t> centre_tets;  ///< of the hexahedra: the tet at the middle of the cell
 
-  /// Cells of the grid that the map covers, but not just once, or of which a corner is missing: a tet of each.
+  /// Cells of the grid that the map covers, but not just once, or of which a corner is missing: a tet of
+  /// each.
   std::vector<std::uint32_t> left_out;
   std::size_t flipped_tets = 0;  ///< flat ones among them, in exact arithmetic
 

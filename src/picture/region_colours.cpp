@@ -29,7 +29,8 @@ LegendBlock region_legend(const std::vector<std::int32_t>& regions) {
   LegendBlock block{fmt::format("Regions ({})", regions.size())};
   const std::size_t named = regions.size() > kMostNamed ? kMostNamed - 1 : regions.size();
   for (std::size_t i = 0; i < named; ++i)
-    block.signs.push_back({Sign::Shape::kBox, colour_of_region(regions, regions[i]), fmt::format("{}", regions[i])});
+    block.signs.push_back(
+        {Sign::Shape::kBox, colour_of_region(regions, regions[i]), fmt::format("{}", regions[i])});
   if (named < regions.size())
     block.signs.push_back({Sign::Shape::kBox, kRegionColours[named % kRegionColours.size()],
                            fmt::format("and {} more, colours repeat", regions.size() - named)});

@@ -167,8 +167,8 @@ void describe(File& file, Report& hexahedra) {
   if (has_number(hexahedra.remedy)) file.member("remedy_number", hexahedra.remedy_number);
   file.note("next", words_of(hexahedra.remedy, hexahedra.remedy_number).c_str());
   CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, expected, hexahedra, vertices, bodies, is_coarse,
-                     left_out, left_out_place, crowded_faces, open_edges, pinched_vertices, model, volume, model_volume, area,
-                     model_area, largest_distance, largest_distance_place, mean_distance,
+                     left_out, left_out_place, crowded_faces, open_edges, pinched_vertices, model, volume,
+                     model_volume, area, model_area, largest_distance, largest_distance_place, mean_distance,
                      largest_distance_of_model, largest_distance_of_model_place, interface_faces,
                      largest_interface_distance)
   file.member("scaled_jacobian", hexahedra.quality);

@@ -241,5 +241,21 @@ TEST_F(HexPicture, CanBeInterrupted) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST_F(HexPicture, NamesTheRegionsWhereThereAreSeveral) {
+  HexMesh mesh = crooked_bricks();
+  options.colour = PictureColour::kRegion;
+  EXPECT_EQ(error(mesh).first, ErrorKind::kUsage);
+  mesh.regions.assign(mesh.hexahedra.size(), 4);
+  EXPECT_NE(error(mesh).second.find("only one region"), std::string::npos);
+  mesh.regions.back() = 7;
+  EXPECT_NE(legend(mesh).find("Regions (2)"), std::string::npos) << legend(mesh);
+}
+
+TEST_F(HexPicture, OfNothingIsAnErrorThatTellsTheWorst) {
+  options.quality_below = 0.1;
+  const HexMesh cubes = made_bricks({2, 2, 2}, {2, 2, 2});
+  EXPECT_EQ(error(cubes).second, "no hexahedron has a scaled Jacobian below 0.1: the worst has 1");
+}
+
 }  // namespace
 }  // namespace crossgrain
