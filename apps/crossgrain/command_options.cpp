@@ -100,10 +100,11 @@ bool is_of_field(PictureColour colour) {
 }
 
 void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
-  const CLI::Option* const hexahedra = command.add_flag(
-      "--hexahedra",
-      "Draw the hexahedra that 'crossgrain hex' has written to the folder, coloured by scaled "
-      "Jacobian (default where there are any); a cut removes whole ones");
+  const CLI::Option* const hexahedra = command.add_flag("--hexahedra")
+                                           ->description(
+                                               "Draw the hexahedra that 'crossgrain hex' has written to the "
+                                               "folder, coloured by scaled Jacobian "
+                                               "(default where there are any); a cut removes whole ones");
   const CLI::Option* const below = add_number(command, "--below", arguments.options.quality_below, "X", -1, 2,
                                               "Draw only the hexahedra with a scaled Jacobian below this");
   const std::vector<const CLI::Option*> of_fields{
