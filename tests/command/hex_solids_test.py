@@ -36,7 +36,7 @@ class OfTriangles(HexSolidsTest):
         low, high = box_triangles((4.0, 4.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (0.7, 0.9, 2)
         self.write("two.stl", stl_bytes(np.concatenate([low, high])))
         line = self.hex("two.stl", *FEW, code=NOT_ALL_HEX)
-        self.assertRegex(line, "flawed.* in 2 bodies.*solids 1 and 2 touch, but are meshed apart.* at .*; unite them")
+        self.assertRegex(line, "flawed.* in 2 bodies; solids that touch are meshed apart, as warned; unite them")
         self.assertEqual(self.report["hexahedra"]["outcome"], "flawed")
         self.assertEqual(self.result.stderr.count("warning: "), 1, self.result.stderr)
         # What it says helps.

@@ -84,7 +84,7 @@ class WrongSizes(CommandTest):
         self.refuse(USAGE, ["tets", "small.stl", "--size", "3", "-o", "out.mesh"], "tets of 3 are too large", across, "try --size ")
         self.refuse(USAGE, ["solve", "small.stl", "--tet-size", "3"], "tets of 3 are too large", across, "try --tet-size 0.01")
         self.refuse(USAGE, ["solve", "small.stl", "--cell-size", "3"], "cells of 3 are too large", across, "try --cell-size ")
-        self.refuse(USAGE, ["hex", "large.stl", "--size", "1e9"], "which is 200 across; 20 along it")
+        self.refuse(USAGE, ["hex", "large.stl", "--size", "1e9"], "which is 200 across; sizes are in the unit of the model (none is named); try --")
         self.refuse(USAGE, ["hex", "small.stl", "--size", "3", "--unit", "m"], "hexahedra of 3 m", "0.2 m across")
 
     def test_beyond_any_memory_are_refused_with_the_size_of_the_part(self):
