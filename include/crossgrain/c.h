@@ -18,7 +18,7 @@
  * so.
  * - Handles are made by functions that take `crossgrain_... **out` and released by the `_free` of their type,
  * which accepts NULL. Handles are independent: an object may be released while another one that was made from
- * it lives.
+ * it lives. What a function reads of a handle that is NULL is 0 or NULL, unless it returns a status.
  * - Arrays are contiguous; points and directions are three doubles each, in model units, frames nine (the
  * three unit axes, one after the other). Arrays passed in are copied. Pointers that a function returns belong
  * to the handle and live as long as it does, unless the function says otherwise.

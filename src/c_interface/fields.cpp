@@ -98,11 +98,11 @@ void crossgrain_field_free(crossgrain_field* field) {
 }
 
 size_t crossgrain_field_size(const crossgrain_field* field) {
-  return field->field.size();
+  return field == nullptr ? 0 : field->field.size();
 }
 
 int crossgrain_field_degree(const crossgrain_field* field) {
-  return static_cast<int>(field->field.data().degree);
+  return field == nullptr ? 0 : static_cast<int>(field->field.data().degree);
 }
 
 crossgrain_status crossgrain_field_centers(const crossgrain_field* field, double* centers,
@@ -136,6 +136,7 @@ crossgrain_status crossgrain_field_frames(const crossgrain_field* field, double*
 }
 
 const float* crossgrain_field_quaternions(const crossgrain_field* field) {
+  if (field == nullptr) return nullptr;
   const auto& frames = field->field.data().frames;
   static_assert(sizeof(StoredQuaternion) == 4 * sizeof(float) && offsetof(StoredQuaternion, w) == 0 &&
                 offsetof(StoredQuaternion, z) == 3 * sizeof(float));
@@ -143,24 +144,25 @@ const float* crossgrain_field_quaternions(const crossgrain_field* field) {
 }
 
 const uint8_t* crossgrain_field_on_boundary(const crossgrain_field* field) {
-  return data_or_null(field->field.data().on_boundary);
+  return field == nullptr ? nullptr : data_or_null(field->field.data().on_boundary);
 }
 
 const float* crossgrain_field_energy_density(const crossgrain_field* field) {
-  return data_or_null(field->field.data().energy_density);
+  return field == nullptr ? nullptr : data_or_null(field->field.data().energy_density);
 }
 
 const float* crossgrain_field_alignment_deg(const crossgrain_field* field) {
-  return data_or_null(field->field.data().alignment_deg);
+  return field == nullptr ? nullptr : data_or_null(field->field.data().alignment_deg);
 }
 
 const uint8_t* crossgrain_field_constraint_classes(const crossgrain_field* field) {
+  if (field == nullptr) return nullptr;
   static_assert(sizeof(CellConstraint) == 1);
   return reinterpret_cast<const uint8_t*>(data_or_null(field->field.data().constraints));
 }
 
 const int32_t* crossgrain_field_regions(const crossgrain_field* field) {
-  return data_or_null(field->field.data().regions);
+  return field == nullptr ? nullptr : data_or_null(field->field.data().regions);
 }
 
 crossgrain_status crossgrain_coefficients_of_frames(const double* frames, size_t count, int degree,

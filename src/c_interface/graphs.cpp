@@ -92,11 +92,11 @@ const crossgrain_graph_summary* crossgrain_graph_summary_of(const crossgrain_gra
 }
 
 const crossgrain_arc* crossgrain_graph_arc(const crossgrain_graph* graph, size_t index) {
-  return index < graph->arcs.size() ? &graph->arcs[index] : nullptr;
+  return graph != nullptr && index < graph->arcs.size() ? &graph->arcs[index] : nullptr;
 }
 
 const crossgrain_node* crossgrain_graph_node(const crossgrain_graph* graph, size_t index) {
-  return index < graph->nodes.size() ? &graph->nodes[index] : nullptr;
+  return graph != nullptr && index < graph->nodes.size() ? &graph->nodes[index] : nullptr;
 }
 
 crossgrain_status crossgrain_graph_read(const char* path, crossgrain_graph** out, crossgrain_error** error) {
@@ -108,15 +108,16 @@ void crossgrain_graph_free(crossgrain_graph* graph) {
 }
 
 crossgrain_verdict crossgrain_answer_verdict(const crossgrain_answer* answer) {
+  if (answer == nullptr) return {};
   return static_cast<crossgrain_verdict>(answer->answer.verdict);
 }
 
 const char* crossgrain_answer_sentence(const crossgrain_answer* answer) {
-  return answer->sentence.c_str();
+  return answer == nullptr ? nullptr : answer->sentence.c_str();
 }
 
 const crossgrain_reason* crossgrain_answer_reason(const crossgrain_answer* answer, size_t index) {
-  return index < answer->reasons.size() ? &answer->reasons[index] : nullptr;
+  return answer != nullptr && index < answer->reasons.size() ? &answer->reasons[index] : nullptr;
 }
 
 void crossgrain_answer_free(crossgrain_answer* answer) {

@@ -70,52 +70,54 @@ void crossgrain_hexahedra_free(crossgrain_hexahedra* hexahedra) {
 }
 
 crossgrain_hex_outcome crossgrain_hexahedra_outcome(const crossgrain_hexahedra* hexahedra) {
+  if (hexahedra == nullptr) return {};
   return static_cast<crossgrain_hex_outcome>(hexahedra->made.report().outcome);
 }
 
 const char* crossgrain_hexahedra_sentence(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra->sentence.c_str();
+  return hexahedra == nullptr ? nullptr : hexahedra->sentence.c_str();
 }
 
 size_t crossgrain_hexahedra_vertex_count(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra->made.mesh.vertices.size();
+  return hexahedra == nullptr ? 0 : hexahedra->made.mesh.vertices.size();
 }
 
 size_t crossgrain_hexahedra_count(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra->made.mesh.hexahedra.size();
+  return hexahedra == nullptr ? 0 : hexahedra->made.mesh.hexahedra.size();
 }
 
 size_t crossgrain_hexahedra_face_count(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra->tags.size();
+  return hexahedra == nullptr ? 0 : hexahedra->tags.size();
 }
 
 const double* crossgrain_hexahedra_vertices(const crossgrain_hexahedra* hexahedra) {
-  return numbers_of(hexahedra->made.mesh.vertices);
+  return hexahedra == nullptr ? nullptr : numbers_of(hexahedra->made.mesh.vertices);
 }
 
 const uint32_t* crossgrain_hexahedra_corners(const crossgrain_hexahedra* hexahedra) {
+  if (hexahedra == nullptr) return nullptr;
   const auto& corners = hexahedra->made.mesh.hexahedra;
   return corners.empty() ? nullptr : corners.front().data();
 }
 
 const double* crossgrain_hexahedra_scaled_jacobians(const crossgrain_hexahedra* hexahedra) {
-  return data_or_null(hexahedra->scaled_jacobians);
+  return hexahedra == nullptr ? nullptr : data_or_null(hexahedra->scaled_jacobians);
 }
 
 const int32_t* crossgrain_hexahedra_regions(const crossgrain_hexahedra* hexahedra) {
-  return data_or_null(hexahedra->made.mesh.regions);
+  return hexahedra == nullptr ? nullptr : data_or_null(hexahedra->made.mesh.regions);
 }
 
 const uint32_t* crossgrain_hexahedra_faces(const crossgrain_hexahedra* hexahedra) {
-  return data_or_null(hexahedra->faces);
+  return hexahedra == nullptr ? nullptr : data_or_null(hexahedra->faces);
 }
 
 const int32_t* crossgrain_hexahedra_face_tags(const crossgrain_hexahedra* hexahedra) {
-  return data_or_null(hexahedra->tags);
+  return hexahedra == nullptr ? nullptr : data_or_null(hexahedra->tags);
 }
 
 const char* crossgrain_hexahedra_unit(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra->made.mesh.unit.c_str();
+  return hexahedra == nullptr ? nullptr : hexahedra->made.mesh.unit.c_str();
 }
 
 crossgrain_status crossgrain_hexahedra_field(const crossgrain_hexahedra* hexahedra,

@@ -12,15 +12,16 @@ const char* crossgrain_version(void) {
 }
 
 size_t crossgrain_numbers_rows(const crossgrain_numbers* numbers) {
+  if (numbers == nullptr) return 0;
   return numbers->columns == 0 ? 0 : numbers->values.size() / numbers->columns;
 }
 
 size_t crossgrain_numbers_columns(const crossgrain_numbers* numbers) {
-  return numbers->columns;
+  return numbers == nullptr ? 0 : numbers->columns;
 }
 
 const double* crossgrain_numbers_data(const crossgrain_numbers* numbers) {
-  return crossgrain::data_or_null(numbers->values);
+  return numbers == nullptr ? nullptr : crossgrain::data_or_null(numbers->values);
 }
 
 void crossgrain_numbers_free(crossgrain_numbers* numbers) {

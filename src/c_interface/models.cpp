@@ -142,48 +142,50 @@ crossgrain_status crossgrain_mesh_set_unit(crossgrain_mesh* mesh, const char* un
 }
 
 size_t crossgrain_mesh_vertex_count(const crossgrain_mesh* mesh) {
-  return mesh->mesh.vertices.size();
+  return mesh == nullptr ? 0 : mesh->mesh.vertices.size();
 }
 
 size_t crossgrain_mesh_triangle_count(const crossgrain_mesh* mesh) {
-  return mesh->mesh.triangles.size();
+  return mesh == nullptr ? 0 : mesh->mesh.triangles.size();
 }
 
 const double* crossgrain_mesh_vertices(const crossgrain_mesh* mesh) {
-  return numbers_of(mesh->mesh.vertices);
+  return mesh == nullptr ? nullptr : numbers_of(mesh->mesh.vertices);
 }
 
 const uint32_t* crossgrain_mesh_triangles(const crossgrain_mesh* mesh) {
+  if (mesh == nullptr) return nullptr;
   return mesh->mesh.triangles.empty() ? nullptr : mesh->mesh.triangles.front().data();
 }
 
 const int32_t* crossgrain_mesh_faces(const crossgrain_mesh* mesh) {
-  return data_or_null(mesh->mesh.faces);
+  return mesh == nullptr ? nullptr : data_or_null(mesh->mesh.faces);
 }
 
 const int32_t* crossgrain_mesh_solids(const crossgrain_mesh* mesh) {
-  return data_or_null(mesh->mesh.solids);
+  return mesh == nullptr ? nullptr : data_or_null(mesh->mesh.solids);
 }
 
 const double* crossgrain_mesh_corner_normals(const crossgrain_mesh* mesh) {
+  if (mesh == nullptr) return nullptr;
   const auto& normals = mesh->mesh.corner_normals;
   return normals.empty() ? nullptr : normals.front().front().data();
 }
 
 const char* crossgrain_mesh_unit(const crossgrain_mesh* mesh) {
-  return mesh->mesh.unit.c_str();
+  return mesh == nullptr ? nullptr : mesh->mesh.unit.c_str();
 }
 
 size_t crossgrain_mesh_crease_count(const crossgrain_mesh* mesh) {
-  return mesh->creases.size();
+  return mesh == nullptr ? 0 : mesh->creases.size();
 }
 
 const crossgrain_crease* crossgrain_mesh_crease(const crossgrain_mesh* mesh, size_t index) {
-  return index < mesh->creases.size() ? &mesh->creases[index] : nullptr;
+  return mesh != nullptr && index < mesh->creases.size() ? &mesh->creases[index] : nullptr;
 }
 
 const char* crossgrain_mesh_warning(const crossgrain_mesh* mesh, size_t index) {
-  return text_at(mesh->warnings, index);
+  return mesh == nullptr ? nullptr : text_at(mesh->warnings, index);
 }
 
 crossgrain_status crossgrain_tets_new(const double* vertices, size_t vertex_count, const uint32_t* tets,
@@ -275,38 +277,39 @@ crossgrain_status crossgrain_domain_prepared_for_map(const crossgrain_domain* do
 }
 
 const uint32_t* crossgrain_domain_parents(const crossgrain_domain* domain) {
-  return data_or_null(domain->domain.parents());
+  return domain == nullptr ? nullptr : data_or_null(domain->domain.parents());
 }
 
 size_t crossgrain_domain_vertex_count(const crossgrain_domain* domain) {
-  return domain->domain.mesh().vertices.size();
+  return domain == nullptr ? 0 : domain->domain.mesh().vertices.size();
 }
 
 size_t crossgrain_domain_tet_count(const crossgrain_domain* domain) {
-  return domain->domain.mesh().tets.size();
+  return domain == nullptr ? 0 : domain->domain.mesh().tets.size();
 }
 
 const double* crossgrain_domain_vertices(const crossgrain_domain* domain) {
-  return numbers_of(domain->domain.mesh().vertices);
+  return domain == nullptr ? nullptr : numbers_of(domain->domain.mesh().vertices);
 }
 
 const uint32_t* crossgrain_domain_tets(const crossgrain_domain* domain) {
-  return domain->domain.mesh().tets.front().data();
+  return domain == nullptr ? nullptr : domain->domain.mesh().tets.front().data();
 }
 
 const int32_t* crossgrain_domain_regions(const crossgrain_domain* domain) {
-  return data_or_null(domain->domain.mesh().regions);
+  return domain == nullptr ? nullptr : data_or_null(domain->domain.mesh().regions);
 }
 
 size_t crossgrain_domain_face_count(const crossgrain_domain* domain) {
-  return domain->domain.mesh().feature_faces.size();
+  return domain == nullptr ? 0 : domain->domain.mesh().feature_faces.size();
 }
 
 size_t crossgrain_domain_edge_count(const crossgrain_domain* domain) {
-  return domain->domain.mesh().feature_edges.size();
+  return domain == nullptr ? 0 : domain->domain.mesh().feature_edges.size();
 }
 
 void crossgrain_domain_faces(const crossgrain_domain* domain, uint32_t* vertices, int32_t* tags) {
+  if (domain == nullptr) return;
   for (const TetMesh::Face& face : domain->domain.mesh().feature_faces) {
     vertices = std::copy(face.vertices.begin(), face.vertices.end(), vertices);
     *tags++ = face.tag;
@@ -315,6 +318,7 @@ void crossgrain_domain_faces(const crossgrain_domain* domain, uint32_t* vertices
 
 void crossgrain_domain_edges(const crossgrain_domain* domain, uint32_t* vertices, int32_t* tags,
                              uint8_t* are_stated) {
+  if (domain == nullptr) return;
   for (const TetMesh::Edge& edge : domain->domain.mesh().feature_edges) {
     vertices = std::copy(edge.vertices.begin(), edge.vertices.end(), vertices);
     *tags++ = edge.tag;
@@ -330,11 +334,11 @@ crossgrain_status crossgrain_domain_write(const crossgrain_domain* domain, const
 }
 
 double crossgrain_domain_typical_edge_length(const crossgrain_domain* domain) {
-  return domain->domain.typical_edge_length();
+  return domain == nullptr ? 0 : domain->domain.typical_edge_length();
 }
 
 const char* crossgrain_domain_warning(const crossgrain_domain* domain, size_t index) {
-  return text_at(domain->warnings, index);
+  return domain == nullptr ? nullptr : text_at(domain->warnings, index);
 }
 
 crossgrain_status crossgrain_domain_boundary(const crossgrain_domain* domain, crossgrain_mesh** out,

@@ -149,19 +149,19 @@ crossgrain_status crossgrain_tracer_trace(const crossgrain_tracer* tracer, const
 }
 
 size_t crossgrain_lines_count(const crossgrain_lines* lines) {
-  return lines->views.size();
+  return lines == nullptr ? 0 : lines->views.size();
 }
 
 size_t crossgrain_lines_outside_seeds(const crossgrain_lines* lines) {
-  return lines->lines.outside_seeds;
+  return lines == nullptr ? 0 : lines->lines.outside_seeds;
 }
 
 size_t crossgrain_lines_arc_seeds(const crossgrain_lines* lines) {
-  return lines->lines.arc_seeds;
+  return lines == nullptr ? 0 : lines->lines.arc_seeds;
 }
 
 const crossgrain_line* crossgrain_lines_line(const crossgrain_lines* lines, size_t index) {
-  return index < lines->views.size() ? &lines->views[index] : nullptr;
+  return lines != nullptr && index < lines->views.size() ? &lines->views[index] : nullptr;
 }
 
 crossgrain_status crossgrain_lines_write(const crossgrain_lines* lines, const char* path, const char* solve,

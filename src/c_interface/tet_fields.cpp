@@ -105,11 +105,11 @@ crossgrain_status crossgrain_tet_field_vertex_frames(const crossgrain_tet_field*
 }
 
 const double* crossgrain_tet_field_quaternions(const crossgrain_tet_field* field) {
-  return numbers_of(field->field.data().tet_frames);
+  return field == nullptr ? nullptr : numbers_of(field->field.data().tet_frames);
 }
 
 const double* crossgrain_tet_field_vertex_quaternions(const crossgrain_tet_field* field) {
-  return numbers_of(field->field.data().vertex_frames);
+  return field == nullptr ? nullptr : numbers_of(field->field.data().vertex_frames);
 }
 
 crossgrain_matchings::crossgrain_matchings(const std::vector<FaceMatching>& all) {
@@ -130,19 +130,19 @@ crossgrain_status crossgrain_tet_field_matchings(const crossgrain_tet_field* fie
 }
 
 size_t crossgrain_matchings_count(const crossgrain_matchings* matchings) {
-  return matchings->tets.size() / 2;
+  return matchings == nullptr ? 0 : matchings->tets.size() / 2;
 }
 
 const uint32_t* crossgrain_matchings_faces(const crossgrain_matchings* matchings) {
-  return data_or_null(matchings->faces);
+  return matchings == nullptr ? nullptr : data_or_null(matchings->faces);
 }
 
 const uint32_t* crossgrain_matchings_tets(const crossgrain_matchings* matchings) {
-  return data_or_null(matchings->tets);
+  return matchings == nullptr ? nullptr : data_or_null(matchings->tets);
 }
 
 const int8_t* crossgrain_matchings_axes(const crossgrain_matchings* matchings) {
-  return data_or_null(matchings->axes);
+  return matchings == nullptr ? nullptr : data_or_null(matchings->axes);
 }
 
 void crossgrain_matchings_free(crossgrain_matchings* matchings) {
