@@ -89,7 +89,7 @@ class WrongSizes(CommandTest):
 
     def test_beyond_any_memory_are_refused_with_the_size_of_the_part(self):
         across = "which is 200 across"
-        for size in ("0.003", "1e-300"):
+        for size in ("0.003", "1e-300", "1e-308", "1e-320"):
             self.refuse(USAGE, ["hex", "large.stl", "--size", size], "too small", across, "try --size ")
             self.refuse(USAGE, ["hex", "large.stl", "--size", "10", "--tet-size", size], "tets of", "too small", across, "--tet-size")
             self.refuse(USAGE, ["tets", "large.stl", "--size", size], "too small", across, "try --size ")
