@@ -340,7 +340,8 @@ Solved solve_inputs(const Job& job, const Inputs& inputs) {
   try {
     result.tet_field = naming(arguments.onto.empty() ? arguments.model : arguments.onto, [&] {
       std::optional<TetFrameField> on_tets = solve_onto(*domain, start, SolveTuning(options), monitor);
-      return on_tets && arguments.repair ? repaired(*on_tets, {}, monitor) : on_tets;
+      const RepairOptions repair{.max_memory_bytes = options.max_memory_bytes};
+      return on_tets && arguments.repair ? repaired(*on_tets, repair, monitor) : on_tets;
     });
   } catch (const Error& error) {
     const bool has_grid = result.to_write.cells.has_value();

@@ -87,6 +87,7 @@ enum class Remedy : int {
   kUseHexSize,   ///< HexOptions::size; with a number
   kTakeLargerHexahedra,
   kTakeSmallerHexahedra,
+  kTakeFewerHexahedra,  ///< larger ones, or allow them more memory
 
   // Options.
   kRaiseResolution,

@@ -30,7 +30,6 @@ class ReadLimits {
 
  private:
   std::unique_ptr<WatchedLoops> watched_;
-  std::size_t memory_before_;
 };
 
 /// @}

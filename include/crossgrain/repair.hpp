@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 
@@ -15,6 +17,9 @@ struct RepairOptions {
   /// those inside and in flat parts of the surface, so that arcs run straight. The result then has a domain
   /// of its own.
   bool moves_vertices = true;
+
+  /// Largest memory of the process in bytes; 0 for nine tenths of what the machine or the container has.
+  std::size_t max_memory_bytes = 0;
 };
 
 /// Returns the field with matchings that hexahedra can follow, as far as they were found, and with frames
@@ -28,7 +33,7 @@ struct RepairOptions {
 /// only.
 ///
 /// Errors: as `check_repairable`; kUsage for a field with constraints, which smoothed frames would leave;
-/// kInterrupted by the monitor.
+/// kLimit if the memory does not suffice; kInterrupted by the monitor.
 TetFrameField repaired(const TetFrameField& field, const RepairOptions& options = {},
                        const Monitor& monitor = {});
 

@@ -65,6 +65,7 @@ enum class WarningKind : int {
   // Hexahedra.
   kFacesWithoutQuads,  ///< faces of the model have none
   kPoorFit,            ///< they miss much of the model's volume, or are far from its surface
+  kAttemptLimited,     ///< an attempt at better ones ended at a limit, such as that of memory
 
   // What is written.
   kClipMissed,   ///< no cell touches the box

@@ -357,8 +357,11 @@ ThreadLimit::~ThreadLimit() {
   if (arena_) spare_arenas().keep(std::move(arena_));
 }
 
-WatchedLoops::WatchedLoops(const Monitor& monitor, Stops stops)
-    : monitor_(monitor), stops_(stops), before_(t_watching) {
+WatchedLoops::WatchedLoops(const Monitor& monitor, Stops stops, std::size_t max_memory_bytes)
+    : monitor_(monitor),
+      stops_(stops),
+      before_(t_watching),
+      max_memory_bytes_(max_memory_bytes > 0 ? max_memory_bytes : watched_memory_bytes()) {
   t_watching = this;
 }
 
@@ -375,6 +378,10 @@ void WatchedLoops::tell(Phase phase, double share) const {
   Progress progress{phase, 0, 0, 0, std::numeric_limits<double>::quiet_NaN()};
   progress.share = share;
   monitor_.report(progress);
+}
+
+std::size_t watched_memory_bytes() {
+  return t_watching != nullptr ? t_watching->max_memory_bytes() : 0;
 }
 
 void tell_watched(Phase phase, double share) {

@@ -65,9 +65,11 @@ enum class Stops { kHeeded, kIgnored };
 /// Error(kInterrupted) if it says so. A solve therefore ends promptly at any stage and size. If objects are
 /// nested, the innermost counts. Other threads are not affected, nor are loops inside a loop on them; those
 /// of run_side_by_side are.
+///
+/// What runs then may use `max_memory_bytes` (require_memory); 0 for the limit around this object.
 class WatchedLoops {
  public:
-  WatchedLoops(const Monitor& monitor, Stops stops);
+  WatchedLoops(const Monitor& monitor, Stops stops, std::size_t max_memory_bytes = 0);
   ~WatchedLoops();
   WatchedLoops(const WatchedLoops&) = delete;
   WatchedLoops& operator=(const WatchedLoops&) = delete;
@@ -77,11 +79,14 @@ class WatchedLoops {
   /// Tells the monitor's listener, which hears only the thread that made this object.
   void tell(Phase phase, double share) const;
 
+  std::size_t max_memory_bytes() const { return max_memory_bytes_; }
+
  private:
   const Monitor& monitor_;
   const Stops stops_;
   const std::thread::id thread_ = std::this_thread::get_id();
   const WatchedLoops* const before_;
+  const std::size_t max_memory_bytes_;
 };
 
 /// Queries the monitor of this thread's innermost WatchedLoops, if there is one: for long loops that are not
@@ -91,6 +96,9 @@ void check_watched();
 /// Tells the monitor of this thread's innermost WatchedLoops, if there is one, which share of a phase is
 /// done. Without effect on threads that only help with a loop.
 void tell_watched(Phase phase, double share);
+
+/// Returns the limit of memory of this thread's innermost WatchedLoops; 0 if there is none.
+std::size_t watched_memory_bytes();
 
 /// Calls check_watched at every 2^16-th pass, for loops of short steps.
 class Checkpoint {

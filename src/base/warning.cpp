@@ -22,7 +22,8 @@ constexpr std::array kNames{"unknown_unit",     "missing_parts",       "loose_fa
                             "thin_walls",       "excluded_surface",    "not_settled",
                             "tets_not_settled", "constraints_outside", "vertices_outside",
                             "other_model",      "faces_without_quads", "poor_fit",
-                            "clip_missed",      "left_out_tets",       "not_finite"};
+                            "attempt_limited",  "clip_missed",         "left_out_tets",
+                            "not_finite"};
 
 }  // namespace
 

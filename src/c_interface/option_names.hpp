@@ -41,7 +41,7 @@ CROSSGRAIN_OPTIONS(TetTagOptions, keep_all)
 CROSSGRAIN_OPTIONS(MapPreparationOptions, unite_solids)
 CROSSGRAIN_OPTIONS(TetMakingOptions, size, edges, maker, edges_per_circle, crease_angle_deg, seconds,
                    max_memory_bytes, read_seconds, glue, unit)
-CROSSGRAIN_OPTIONS(RepairOptions, moves_vertices)
+CROSSGRAIN_OPTIONS(RepairOptions, moves_vertices, max_memory_bytes)
 CROSSGRAIN_OPTIONS(HexOptions, size, cells, threads)
 
 template <class Visit>

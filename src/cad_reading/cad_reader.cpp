@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/system_memory.hpp"
+#include "base/required_memory.hpp"
 #include "cad_reading/cad_checks.hpp"
 #include "cad_reading/cad_messages.hpp"
 #include "cad_reading/freecad_document.hpp"
@@ -44,18 +44,6 @@ std::filesystem::path cad_program(const InputFile& file, const CadReading& optio
     fail_input(file, {}, fmt::format("this Crossgrain cannot read CAD files: {} is missing", kCadProgramName),
                Remedy::kInstallCadReader);
   return program;
-}
-
-/// Memory limit for the helper: what is allowed, less what this process uses.
-std::size_t memory_for_helper(const InputFile& file, const CadReading& options) {
-  const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
-  if (held >= most)
-    throw Error(ErrorKind::kLimit,
-                {file.name(), "",
-                 fmt::format("no memory is left to read it: {:.3g} GB are allowed and {:.3g} GB in use",
-                             static_cast<double>(most) / 1e9, static_cast<double>(held) / 1e9),
-                 Remedy::kAllowMemory});
-  return most - held;
 }
 
 CadFault out_of_memory(std::size_t allowed) {
@@ -171,7 +159,7 @@ CadModel read_cad(const InputFile& file, CadFormat format, const CadReading& opt
     return ReadPlace(shapes.placed_breps);
   }();
   CadRequest request{place.path(), format, options, ::getpid(), content == CadContent::kWithSolids};
-  request.options.max_memory_bytes = memory_for_helper(file, options);
+  request.options.max_memory_bytes = memory_for_helper(options.max_memory_bytes, "to read it", file.name());
   const HelperRun run{cad_program(file, options),
                       arguments_of(request),
                       {kOneArithmetic},

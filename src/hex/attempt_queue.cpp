@@ -128,6 +128,7 @@ void AttemptQueue::add_failure(const AttemptKind& kind, const Error& error, doub
   failed.kind = kind.name();
   failed.failure = error.text();
   failed.seconds = seconds;
+  if (error.kind() == ErrorKind::kLimit && !limit_) limit_ = error;
   add_end(failed, error.text());
 }
 

@@ -117,6 +117,9 @@ class AttemptQueue {
   /// All attempts, in the order in which they were made.
   const std::vector<HexAttempt>& attempts() const { return attempts_; }
 
+  /// The error of the first that ended at a limit, such as that of memory.
+  const std::optional<Error>& limit() const { return limit_; }
+
   /// Seconds of the steps of all of them.
   const HexSeconds& seconds() const { return seconds_; }
 
@@ -161,6 +164,7 @@ class AttemptQueue {
   std::shared_ptr<const HexCandidate> best_;
   std::vector<std::shared_ptr<const HexCandidate>> of_rounds_;
   std::vector<HexAttempt> attempts_;
+  std::optional<Error> limit_;
   HexSeconds seconds_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "hex/hex_memory.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
 #include "hex/model_fit.hpp"
@@ -40,6 +41,14 @@ bool close_on_the_surface(const ExtractedHexahedra& hexahedra, const HexTopology
     return std::all_of(side.vertices.begin(), side.vertices.end(),
                        [&](std::uint32_t v) { return feet[v].kind != Foot::Kind::kInside; });
   });
+}
+
+/// How many cells of the grid the tets of a map cover.
+double covered_cells(const MapEnergy& energy, const std::vector<double>& determinants) {
+  double volume = 0;
+  for (std::size_t t = 0; t < determinants.size(); ++t)
+    volume += energy.volume(t) * std::abs(determinants[t]);
+  return volume / std::pow(energy.size(), 3);
 }
 
 /// Smooths hexahedra and judges them.
@@ -118,6 +127,7 @@ HexCandidate mapped_candidate(const HexCandidate& of, double size, const HexTuni
   following->determinants = determinants_of(energy, following->map.coordinates);
   candidate.seconds.map = stopwatch.restart();
   tell_watched(Phase::kHexahedra, 0);
+  require_memory_of_hexahedra(covered_cells(energy, following->determinants));
   following->extracted = extracted_hexahedra(followed.unknowns(), following->map.coordinates);
   following->feet = feet_of(MapSurface(followed.matched()), following->extracted.carriers);
   const HexTopology topology = topology_of(following->extracted.mesh);

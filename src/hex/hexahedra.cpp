@@ -52,6 +52,12 @@ void add_faces(const HexMesh& mesh, const TetSolid& solid, const HexReport& repo
     if (warning) whole.warnings.push_back(std::move(*warning));
 }
 
+/// Where a better mesh may have been missed.
+Warning ended_at(const Error& limit) {
+  return {WarningKind::kAttemptLimited,
+          {limit.file(), "", "an attempt at better hexahedra ended early: " + limit.text(), limit.remedy()}};
+}
+
 void check_options(const HexOptions& options) {
   const auto demand = [](bool holds, const char* what) {
     if (!holds) throw Error(ErrorKind::kUsage, {"", "hexahedra", what});
@@ -101,6 +107,8 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.smoothing_seconds = seconds.smoothing;
   report.analysis_seconds = stopwatch.restart();
   add_faces(mesh, followed.solid(), report, whole);
+  if (queue.limit() && report.outcome != HexOutcome::kAllHex)
+    whole.warnings.push_back(ended_at(*queue.limit()));
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
   whole.hexahedra = std::move(report);
   whole.answer.is_meshed = true;

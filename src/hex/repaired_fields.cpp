@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/required_memory.hpp"
 #include "base/stopwatch.hpp"
 #include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
+#include "hex/hex_memory.hpp"
 #include "solve/field_repairs.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
@@ -66,7 +68,7 @@ class RepairedFields : public AttemptKind {
     const std::vector<const RepairTry*> tries = std::exchange(next_, {});
     const double seconds = seconds_;
     if (tries.empty()) return {};
-    std::vector<HexCandidate> candidates = take(tries, start);
+    std::vector<HexCandidate> candidates = take(tries, queue);
     candidates.front().seconds.repair += seconds;
     candidates.front().attempt.work += work_;
     const auto filled = std::find_if(candidates.begin(), candidates.end(),
@@ -165,19 +167,25 @@ class RepairedFields : public AttemptKind {
     return next;
   }
 
-  std::vector<HexCandidate> take(const std::vector<const RepairTry*>& tries, const StartingField& start) {
+  /// One after the other where memory is too little for all at the same time.
+  std::vector<HexCandidate> take(const std::vector<const RepairTry*>& tries, const AttemptQueue& queue) {
+    const StartingField& start = *queue.start();
     std::vector<HexCandidate> candidates(tries.size());
-    parallel_for(
-        tries.size(),
-        [&](std::size_t k) {
-          Stopwatch stopwatch;
-          tell_watched(Phase::kRepair, kUnknownShare);
-          TetFrameField field = repairs_of_field_->field_of(*tries[k]);
-          const double seconds = stopwatch.restart();
-          candidates[k] = candidate_of(std::move(field), start);
-          candidates[k].seconds.repair = seconds;
-        },
-        /*grain=*/1);
+    const auto take_one = [&](std::size_t k) {
+      Stopwatch stopwatch;
+      tell_watched(Phase::kRepair, kUnknownShare);
+      TetFrameField field = repairs_of_field_->field_of(*tries[k]);
+      const double seconds = stopwatch.restart();
+      candidates[k] = candidate_of(std::move(field), start);
+      candidates[k].seconds.repair = seconds;
+    };
+    const auto tets = static_cast<double>(start.field.domain().mesh().tets.size());
+    const double bytes = kBytesOfMappedTet * tets + kBytesOfHexahedron * queue.expected_hexahedra();
+    if (has_memory_for(static_cast<double>(tries.size()) * bytes)) {
+      parallel_for(tries.size(), take_one, /*grain=*/1);
+    } else {
+      for (std::size_t k = 0; k < tries.size(); ++k) take_one(k);
+    }
     for (HexCandidate& candidate : candidates) candidate.attempt.repair = repairs_++;
     return candidates;
   }

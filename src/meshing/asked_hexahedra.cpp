@@ -9,6 +9,7 @@
 #include "base/digits.hpp"
 #include "crossgrain/error.hpp"
 #include "hex/hex_forecast.hpp"
+#include "hex/hex_memory.hpp"
 #include "meshing/hexahedra_of_models.hpp"
 
 namespace crossgrain {
@@ -47,6 +48,7 @@ void AskedHexahedra::check(const SearchableSurface& surface) {
   } else {
     check_count(expected, size, part);
   }
+  require_memory_of_hexahedra(expected);
   const double thickness = usual_thickness(surface.bvh());
   if (kAcross * size <= thickness) return;
   const double enough = rounded_down(thickness / kAcross, 2);

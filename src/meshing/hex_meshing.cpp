@@ -26,6 +26,7 @@ Hexahedra made_by_attempts(const Begin& begin, const HexMeshingOptions& options,
     throw Error(ErrorKind::kUsage,
                 {"", "hexahedra", "their field takes no constraints, which a repair would leave"});
   const ThreadLimit limit(options.solve.threads);
+  const WatchedLoops watched(monitor, Stops::kIgnored, options.solve.max_memory_bytes);
   Stopwatch stopwatch;
   double tet_seconds = 0;
   AskedHexahedra asked(options);

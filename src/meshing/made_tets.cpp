@@ -14,6 +14,7 @@
 #include "crossgrain/repair.hpp"
 #include "crossgrain/solve.hpp"
 #include "hex/hex_making.hpp"
+#include "hex/hex_memory.hpp"
 #include "hex/work.hpp"
 #include "measure/body_contacts.hpp"
 #include "solve/tet_domain_data.hpp"
@@ -89,12 +90,15 @@ TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOption
 
 StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue,
                         const HexExpectation::TetSize& made) {
+  const std::size_t tets = domain.mesh().tets.size();
+  require_memory_of_tets(tets, made.used > 0 ? Remedy::kUseLessMemory : Remedy::kAllowMemory);
   const bool is_first = queue.rounds() == 0;
   if (is_first) {
     const double size = asked_size(domain, options.hexahedra);
     const double hexahedra = expected_hexahedra(domain, size);
+    require_memory_of_hexahedra(hexahedra);
     queue.expect(hexahedra);
-    if (options.on_expected) options.on_expected({domain.mesh().tets.size(), size, hexahedra, made});
+    if (options.on_expected) options.on_expected({tets, size, hexahedra, made});
   }
   TetFrameField field = solve_onto(domain, options.solve, queue.monitor());
   queue.monitor().check_stop();

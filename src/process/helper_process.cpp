@@ -160,14 +160,16 @@ class Child {
   std::optional<HelperOutcome> outcome() {
     int status = 0;
     pid_t waited = 0;
+    rusage used{};
     do {
-      waited = ::waitpid(process_, &status, WNOHANG);
+      waited = ::wait4(process_, &status, WNOHANG, &used);
     } while (waited < 0 && errno == EINTR);
     if (waited == 0) return std::nullopt;
     is_waited_for_ = true;
     if (waited < 0) return HelperOutcome{End::kLost, 0, {}};
-    return WIFSIGNALED(status) ? HelperOutcome{End::kKilled, WTERMSIG(status), {}}
-                               : HelperOutcome{End::kExited, WEXITSTATUS(status), {}};
+    const auto peak = static_cast<std::size_t>(used.ru_maxrss) * 1024;
+    return WIFSIGNALED(status) ? HelperOutcome{End::kKilled, WTERMSIG(status), {}, peak}
+                               : HelperOutcome{End::kExited, WEXITSTATUS(status), {}, peak};
   }
 
  private:

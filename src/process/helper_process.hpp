@@ -39,7 +39,8 @@ struct HelperOutcome {
   };
   End end;
   int number = 0;
-  std::string answer;  ///< as far as it was received
+  std::string answer;                 ///< as far as it was received
+  std::size_t peak_memory_bytes = 0;  ///< of it and of what it has waited for; 0 if its end is unknown
 };
 
 /// Runs a program and returns its answer. The program starts with no signal ignored or blocked, no file open

@@ -138,10 +138,10 @@ class GmshTets : public TetProgram {
     run.is_foreign = true;
     run.max_memory_bytes = job.max_memory_bytes;
     const HelperOutcome outcome = run_tet_program(run, name(), folder, job.monitor);
-    return result_in(folder, outcome);
+    return result_in(folder, run, outcome);
   }
 
-  TetMesh result_in(const PrivateFolder& folder, const HelperOutcome& outcome) const {
+  TetMesh result_in(const PrivateFolder& folder, const HelperRun& run, const HelperOutcome& outcome) const {
     const std::string error = first_error(outcome.answer);
     try {
       TetMesh mesh = read_gmsh(InputFile(folder.path() / kResult));
@@ -149,6 +149,9 @@ class GmshTets : public TetProgram {
     } catch (const Error& unreadable) {
       if (unreadable.kind() != ErrorKind::kInput) throw;
     }
+    const bool is_short_of_memory =
+        error.empty() ? is_near_its_limit(run, outcome) : error.find("ut of memory") != error.npos;
+    if (is_short_of_memory) throw out_of_memory(name(), run.max_memory_bytes);
     if (error.empty()) throw TetFailure{"gmsh makes no tets of it"};
     TetFailure failure{fmt::format("gmsh gives up on it ({})", error)};
     // No size helps a surface whose triangles lie on each other.

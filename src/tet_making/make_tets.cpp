@@ -12,7 +12,7 @@
 
 #include "archives/gzip.hpp"
 #include "base/names.hpp"
-#include "base/system_memory.hpp"
+#include "base/required_memory.hpp"
 #include "base/vector3.hpp"
 #include "cad_reading/cad_reader.hpp"
 #include "crossgrain/error.hpp"
@@ -94,9 +94,10 @@ double size_for(const SearchableSurface& surface, const TetMakingTuning& options
 }
 
 TetJob job_of(double size, const TetMakingTuning& options, const Monitor& monitor) {
-  const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
-  if (held >= most) throw Error(ErrorKind::kLimit, "no memory is left to make tets", Remedy::kAllowMemory);
-  return {{size, options.edges_per_circle, options.smallest_share}, options.seconds, most - held, monitor};
+  return {{size, options.edges_per_circle, options.smallest_share},
+          options.seconds,
+          memory_for_helper(options.max_memory_bytes, "to make tets"),
+          monitor};
 }
 
 /// Tries one way after the other until one succeeds. Failures become warnings, or the error of the first.

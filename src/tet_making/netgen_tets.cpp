@@ -39,10 +39,7 @@ class NetgenTets : public TetProgram {
     const HelperOutcome outcome = run_tet_program(run, name(), folder, job.monitor);
     std::optional<NetgenAnswer> answer = netgen_answer_in(outcome.answer);
     if (!answer) fail_without_answer(outcome);
-    if (answer->end == NetgenEnd::kOutOfMemory)
-      throw TetFailure{fmt::format("Netgen needs more than the {:.3g} GB of memory that it may take",
-                                   static_cast<double>(job.max_memory_bytes) / 1e9),
-                       ErrorKind::kLimit, Remedy::kTakeLargerTets};
+    if (answer->end == NetgenEnd::kOutOfMemory) throw out_of_memory("Netgen", job.max_memory_bytes);
     if (answer->end == NetgenEnd::kFault) throw TetFailure{answer->fault};
     return std::move(answer->mesh);
   }

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/required_memory.hpp"
 #include "tets/tet_shape.hpp"
 #include "tets/tet_solid.hpp"
 
@@ -46,6 +47,18 @@ void drop_unused_vertices(TetMesh& mesh) {
 
 }  // namespace
 
+bool is_near_its_limit(const HelperRun& run, const HelperOutcome& outcome) {
+  constexpr std::size_t kShare = 2;
+  return run.max_memory_bytes > 0 &&
+         outcome.peak_memory_bytes >= (run.max_memory_bytes + kHelperProgramBytes) / kShare;
+}
+
+TetFailure out_of_memory(const std::string& what, std::size_t allowed) {
+  return {fmt::format("{} needs more than the {:.3g} GB of memory that it may take", what,
+                      static_cast<double>(allowed) / 1e9),
+          ErrorKind::kLimit, Remedy::kAllowMemory};
+}
+
 HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, const PrivateFolder& folder,
                               const Monitor& monitor) {
   using End = HelperOutcome::End;
@@ -70,6 +83,9 @@ HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, con
   if (outcome.end == End::kKilled && outcome.number == SIGKILL)
     throw TetFailure{fmt::format("the system stopped {}, usually because memory ran out", what),
                      ErrorKind::kLimit, Remedy::kTakeLargerTets};
+  const bool has_crashed =
+      outcome.end == End::kKilled && (outcome.number == SIGABRT || outcome.number == SIGSEGV);
+  if (has_crashed && is_near_its_limit(run, outcome)) throw out_of_memory(what, run.max_memory_bytes);
   if (outcome.end == End::kKilled && outcome.number == SIGXFSZ)
     folder.fail("the file is larger than allowed");
   if (outcome.end == End::kKilled)

@@ -77,6 +77,13 @@ std::unique_ptr<TetProgram> netgen_tets(const std::filesystem::path& program);
 HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, const PrivateFolder& folder,
                               const Monitor& monitor);
 
+/// Whether a program of others, which knows no limit of its memory, came near the one that it had: refused an
+/// allocation, it stays below, the further the larger that was.
+bool is_near_its_limit(const HelperRun& run, const HelperOutcome& outcome);
+
+/// What a program that ran out of memory failed by.
+TetFailure out_of_memory(const std::string& what, std::size_t allowed);
+
 /// Returns what a program made as a mesh for a field: without vertices that no tet uses, all tets with a
 /// positive volume by the order of their vertices. Throws TetFailure if a tet has no volume, or the tets
 /// overlap or fold over themselves. Where the solid touches itself, TetMesh::warnings says so.

@@ -11,6 +11,7 @@
 #include <random>
 #include <thread>
 
+#include "base/required_memory.hpp"
 #include "base/system_memory.hpp"
 #include "cad_reading/cad_messages.hpp"
 #include "cad_reading/made_cad_answers.hpp"
@@ -236,7 +237,7 @@ TEST(CadProcess, AHangEndsWithItsTime) {
 
 TEST(CadProcess, AnAnswerOfMoreThanTheMemoryIsCutOff) {
   FakeReader reader("yes >&3; true");
-  reader.options().max_memory_bytes = current_memory_bytes() + 50'000'000;
+  reader.options().max_memory_bytes = current_memory_bytes() + kHelperProgramBytes + 50'000'000;
   expect_words(reader.error(), {"needs more than the 0.0", "or allow more memory"});
 }
 
@@ -370,7 +371,7 @@ TEST(CadProcess, TakesNoMoreMemoryThanItMay) {
   CadReading options;
   options.resolution = 1'000'000;
   options.facet_angle_deg = 0.02;
-  options.max_memory_bytes = current_memory_bytes() + 100'000'000;
+  options.max_memory_bytes = current_memory_bytes() + kHelperProgramBytes + 50'000'000;
   try {
     const TriangleMesh mesh = read_surface(cad_files() / "rounded.brep", options);
     ADD_FAILURE() << mesh.triangles.size();

@@ -54,6 +54,8 @@ class Followed(CommandTest):
         hexahedra = ("hex", "box.mesh", "-o", "out", "--no-report")
         self.follow("kGiveHexSize", "try --size 0.1", [*hexahedra, "--size", "9"], [*hexahedra, "--size", "0.1"])
         self.follow("kTakeLargerHexahedra", "raise --size, or lower --cells", [*hexahedra, "--cells", "1000"], [*hexahedra, "--cells", "4"])
+        self.follow("kTakeFewerHexahedra", "raise --size, or allow more memory with --max-memory",
+                    [*hexahedra, "--size", "0.02", "--max-memory", "60MB"], [*hexahedra, "--size", "0.5", "--max-memory", "60MB"])
         self.write("plate.mesh", medit_text(*tet_box((6, 6, 1), (6.0, 6.0, 0.5))))
         plate = ("hex", "plate.mesh", "-o", "out", "--no-report")
         self.follow("kTakeSmallerHexahedra", "lower --size, or raise --cells", [*plate, "--size", "0.5"], [*plate, "--size", "0.25"])

@@ -189,6 +189,8 @@ TEST(AttemptQueue, ReportsAFailureAndGoesOn) {
                {{0, Step::kRepair}, {0.5}}, {{0, Step::kRepair}, {}}, {{0, Step::kRepair}, {0}}}));
   queue.run();
   EXPECT_EQ(queue.attempts()[1].failure, "no memory for this one");
+  ASSERT_TRUE(queue.limit());
+  EXPECT_EQ(queue.limit()->text(), "no memory for this one");
   EXPECT_TRUE(queue.best()->is_filled());
 }
 

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""`hex`, `tets` and repairs keep to --max-memory, with the programs that they start: what does not fit is refused before it is made."""
+
+import re
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
+from tets_test import MAKERS
+
+LIMIT, PARTIAL = 5, 6
+PAUSE_S = 0.005
+
+
+def with_descendants(process):
+    yield process
+    try:
+        for task in Path(f"/proc/{process}/task").iterdir():
+            for child in (task / "children").read_text().split():
+                yield from with_descendants(int(child))
+    except OSError:
+        pass
+
+
+def resident_bytes(process):
+    """What processes share counts in parts (Pss)."""
+    try:
+        return 1024 * int(re.search(r"^Pss: +(\d+)", Path(f"/proc/{process}/smaps_rollup").read_text(), re.MULTILINE)[1])
+    except (OSError, TypeError):
+        return 0
+
+
+class MemoryTest(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("box.mesh", medit_text(*tet_box(size=(4.0, 3.0, 3.0))))
+
+    def peak_of(self, *arguments, codes=(0,)):
+        """The largest memory of the program and those that it starts, in bytes."""
+        with open(self.folder / "errors", "w+b") as errors:
+            process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=errors)
+            end, peak = time.monotonic() + TIME_LIMIT, 0
+            while process.poll() is None and time.monotonic() < end:
+                peak = max(peak, sum(map(resident_bytes, with_descendants(process.pid))))
+                time.sleep(PAUSE_S)
+            process.kill()
+            self.assertIn(process.wait(), codes, (self.folder / "errors").read_text())
+        return peak
+
+
+class WhatDoesNotFit(MemoryTest):
+    def refuse(self, *arguments, words):
+        before = self.names()
+        self.assert_fails(self.run_here(*arguments), LIMIT, "--max-memory", *words)
+        self.assertEqual(self.names(), before)
+
+    def test_is_refused_by_the_number_of_hexahedra(self):
+        for size, about in (("0.05", "2.9e+05 hexahedra takes 0.3"), ("0.02", "4.5e+06 hexahedra takes 5.4")):
+            self.refuse("hex", "box.mesh", "--size", size, "--max-memory", "60MB", "-o", "out",
+                        words=["box.mesh: a mesh of about " + about, "0.06 GB are allowed", "raise --size"])
+
+    def test_is_refused_by_the_number_of_tets_before_their_field_is_made(self):
+        self.write("fine.mesh", medit_text(*tet_box((20, 20, 20), (4.0, 3.0, 3.0))))
+        self.refuse("hex", "fine.mesh", "--cells", "4", "--max-memory", "100MB", "-o", "out", words=["a field on 49140 tets takes 0.2"])
+
+    def test_is_refused_by_a_repair_too(self):
+        self.write("fine.mesh", medit_text(*tet_box((20, 20, 20), (4.0, 3.0, 3.0))))
+        self.refuse("solve", "fine.mesh", "--prepare", "--repair", "--max-memory", "70MB", "-o", "out", words=["a repair on 49140 tets takes 0.1"])
+
+    @unittest.skipUnless("gmsh" in MAKERS, "gmsh is not installed")
+    def test_is_refused_by_what_gmsh_takes(self):
+        self.write("box.stl", stl_bytes(box_triangles()))
+        self.refuse("tets", "box.stl", "--by", "gmsh", "--edges", "30", "--max-memory", "85MB", "-o", "out.mesh",
+                    words=["gmsh needs more than the 0.0", "GB of memory that it may take"])
+        self.refuse("tets", "box.stl", "--max-memory", "30MB", "-o", "out.mesh", words=["no memory is left to make tets: 0.03 GB are allowed"])
+
+
+class RunsThatFit(MemoryTest):
+    def test_keep_to_their_limits(self):
+        runs = [(["hex", "box.mesh", "--size", "0.2"], 32), (["hex", "box.mesh", "--size", "0.1"], 80)]
+        self.write("fine.mesh", medit_text(*tet_box((12, 12, 12), (4.0, 3.0, 3.0))))
+        runs += [(["hex", "fine.mesh", "--cells", "8"], 80), (["solve", "fine.mesh", "--prepare", "--repair"], 60)]
+        if MAKERS:
+            self.write("box.stl", stl_bytes(box_triangles()))
+            runs += [(["hex", "box.stl", "--cells", "6"], 90), (["solve", "box.stl", "--tet-size", "0.3"], 90)]
+        for arguments, limit in runs:
+            with self.subTest(arguments):
+                peak = self.peak_of(*arguments, "--no-report", "-o", "out", "--force", "--max-memory", f"{limit}MB")
+                self.assertLessEqual(peak, limit * 1e6)
+
+
+if __name__ == "__main__":
+    unittest.main()
