@@ -60,8 +60,8 @@ struct PictureOptions {
   /// the side seen from +z; with x up, the side seen from -z, with y to the right.
   int up_axis = 2;
 
-  PictureColour colour =
-      PictureColour::kNone;  ///< of hexahedra kNone, their scaled Jacobian, kFace or kRegion
+  /// Of hexahedra kNone, which is their scaled Jacobian, kFace or kRegion.
+  PictureColour colour = PictureColour::kNone;
 
   /// Ends of the colour scale in degrees or length^-2, both positive for kEnergy; derived from the field by
   /// default.

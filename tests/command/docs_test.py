@@ -83,7 +83,10 @@ class Page(CommandTest):
             (places[0].parent / "crossgrain-mpi").symlink_to(MPI_PROGRAM)
         if CAD_FILES:
             self.make_step()
-        self.write("part.mesh", medit_text(*tet_box((8, 6, 4), (40.0, 30.0, 10.0))))
+        points, tets = tet_box((8, 6, 4), (40.0, 30.0, 10.0))
+        # Not all of its hexahedra are cubes.
+        points[:, 0] += 0.6 * (points[:, 1] - 15)
+        self.write("part.mesh", medit_text(points, tets))
         self.write("points.txt", "30 20 6\n")
         self.write("seeds.txt", "30 20 6\n")
         mpi = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}

@@ -241,6 +241,7 @@ TEST_F(HexPicture, CanBeInterrupted) {
 
 TEST_F(HexPicture, NamesTheRegionsWhereThereAreSeveral) {
   HexMesh mesh = crooked_bricks();
+  mesh.regions.clear();
   options.colour = PictureColour::kRegion;
   EXPECT_EQ(error(mesh).first, ErrorKind::kUsage);
   mesh.regions.assign(mesh.hexahedra.size(), 4);
