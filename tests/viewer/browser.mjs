@@ -29,6 +29,9 @@ const folder = mkdtempSync(join(tmpdir(), "crossgrain-viewer-"));
 export const template = readFileSync(new URL("../../viewer/dist/report.html", import.meta.url), "utf8");
 export { scene_named };
 
+/** The names that were chosen to stand for all by day; all of them by night. */
+export const of_the_day = (names, ...chosen) => names.filter((name) => process.env.CROSSGRAIN_NIGHTLY === "1" || chosen.includes(name));
+
 /** Address of a file that holds this page. */
 export function page_file(name, text) {
   const path = join(folder, `${name}.html`);

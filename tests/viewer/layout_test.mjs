@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { keep_screenshot, keeps_screenshots, kPhone, shared_page, state } from "./browser.mjs";
+import { keep_screenshot, keeps_screenshots, kPhone, of_the_day, shared_page, state } from "./browser.mjs";
 
 /** Texts that something lies over, or that are cut off, as sentences; runs in the page. */
 function hidden_texts() {
@@ -110,7 +110,7 @@ async function check_other_sizes(page) {
   assert.ok(Math.abs((await distance()) / first - 1) < 0.02, "the view is as it was");
 }
 
-for (const name of ["hexahedra", "components", "tets"]) {
+for (const name of of_the_day(["hexahedra", "components", "tets"], "hexahedra", "tets")) {
   test(`${name}: nothing covers texts or the part, on a phone and on two desktops`, async () => {
     const { page: desktop } = await shared_page(name);
     await check_layout(desktop, name, "1440x900");
