@@ -88,7 +88,7 @@ class RunsThatFit(MemoryTest):
             runs += [(["hex", "box.stl", "--cells", "6"], 90), (["solve", "box.stl", "--tet-size", "0.3"], 90)]
         for arguments, limit in runs:
             with self.subTest(arguments):
-                peak = self.peak_of(*arguments, "--no-report", "-o", "out", "--force", "--max-memory", f"{limit}MB")
+                peak = self.peak_of(*arguments, "--threads", "2", "--no-report", "-o", "out", "--force", "--max-memory", f"{limit}MB")
                 self.assertLessEqual(peak, limit * 1e6)
 
 
