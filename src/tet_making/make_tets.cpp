@@ -316,8 +316,10 @@ TetMesh make_tets(const std::filesystem::path& model, const TetMakingTuning& opt
   const ReadLimits limits(monitor, options.max_memory_bytes);
   monitor.report({Phase::kRead, 0, 0, 0, 0});
   try {
-    if (is_tet_file(model))
+    if (is_tet_file(model)) {
+      read_tets(model);  // it may hold something else, and says so
       throw Error(ErrorKind::kInput, "holds tets already; solve on these, or give a surface or a CAD file");
+    }
     if (const auto format = cad_format_of(model))
       return cad_tets(read_unpacked(model), *format, options, monitor);
     ReadOptions reading;

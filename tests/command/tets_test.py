@@ -18,8 +18,8 @@ from pathlib import Path
 
 import numpy as np
 
-from program import (PROGRAM, TIME_LIMIT, CommandTest, box_triangles, no_more_processes, of_the_day, sphere_triangles,
-                     stl_bytes)
+from program import (PROGRAM, TIME_LIMIT, CommandTest, box_triangles, medit_text, no_more_processes, of_the_day, sphere_triangles,
+                     stl_bytes, tet_box)
 from tagged_mesh import TaggedMesh
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
@@ -238,8 +238,12 @@ class Refused(TetsTest):
         self.assert_fails(self.tets("sheet.stl"), INPUT, "sheet.stl", "encloses nothing")
 
     def test_a_tet_mesh_needs_no_tets(self):
-        self.write("a.mesh", "MeshVersionFormatted 2\n")
+        self.write("a.mesh", medit_text(*tet_box()))
         self.assert_fails(self.tets("a.mesh", "-o", "b.mesh"), INPUT, "a.mesh", "holds tets already")
+
+    def test_a_mesh_of_hexahedra_is_told_so(self):
+        self.write("a.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n1\n0 0 0 0\nHexahedra\n1\n1 1 1 1 1 1 1 1 0\nEnd\n")
+        self.assert_fails(self.tets("a.mesh", "-o", "b.mesh"), INPUT, "a.mesh: line 7: hexahedra (1), but only tets can be used")
 
     def test_too_many_tets_are_told_before_the_work(self):
         self.write("box.stl", stl_bytes(box_triangles()))

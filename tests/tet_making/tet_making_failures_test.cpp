@@ -274,7 +274,10 @@ TEST(TetMakingRefusal, OfOptionsOutOfRange) {
 
 TEST(TetMakingRefusal, OfAMeshOfTetsNamesTheFile) {
   const TemporaryFolder folder;
-  const auto path = folder.write("a.mesh", "MeshVersionFormatted 2\n");
+  const auto path =
+      folder.write("a.mesh",
+                   "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
+                   "0 0 1 0\nTetrahedra\n1\n1 2 3 4 1\nEnd\n");
   try {
     make_tets(path);
     ADD_FAILURE() << "no error";
