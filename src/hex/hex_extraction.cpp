@@ -75,8 +75,11 @@ class Extraction {
     parallel_for(components_.size(), [&](std::size_t c) { find_degree(components_[c]); });
     DisjointSets corners(first_vertices_.back() + static_cast<std::uint32_t>(8 * components_.size()));
     join_vertices(corners);
-    for (std::uint32_t c = 0; c < components_.size(); ++c)
+    Checkpoint checkpoint;
+    for (std::uint32_t c = 0; c < components_.size(); ++c) {
+      checkpoint.pass();
       if (is_hexahedron(c)) join_corners(c, corners);
+    }
     for (std::uint32_t t = 0; t < tets_; ++t) join_neighbours(t, corners);
     return hexahedra(corners);
   }
@@ -120,12 +123,16 @@ class Extraction {
     std::vector<Piece> all;
     for (std::uint32_t t = 0; t < tets_; ++t)
       for (std::uint32_t c = 0; c < parts_[t].cells.size(); ++c) all.push_back({t, c});
-    for (const Piece& piece : all)
+    Checkpoint checkpoint;
+    for (const Piece& piece : all) {
+      checkpoint.pass();
       for_each_way(piece, [&](const Crossing&, const Piece& beyond) {
         cells.join(number_of(piece), number_of(beyond));
       });
+    }
     component_of_.resize(all.size());
     for (const Piece& piece : all) {
+      checkpoint.pass();
       const std::uint32_t number = number_of(piece), root = cells.root(number);
       if (root == number) {  // comes before the others
         component_of_[number] = static_cast<std::uint32_t>(components_.size());
@@ -205,11 +212,13 @@ class Extraction {
 
   /// Joins what different tets have of a vertex.
   void join_vertices(DisjointSets& corners) const {
+    Checkpoint checkpoint;
     for (std::uint32_t t = 0; t < tets_; ++t) {
       for (std::size_t k = 0; k < 4; ++k) {
         const Crossing crossing = crossings_[t][k];
         if (crossing.face == kNoFace || crossing.reversed) continue;
         for (std::uint32_t v = 0; v < parts_[t].vertices.size(); ++v) {
+          checkpoint.pass();
           if (parts_[t].vertices[v].weights[k] != 0) continue;
           const std::uint32_t beyond =
               vertex_in(tet_beyond(crossing), map_.carried(parts_[t].vertices[v].at, crossing));
@@ -238,7 +247,9 @@ class Extraction {
   /// cells meets the open face between them too.
   void join_neighbours(std::uint32_t tet, DisjointSets& corners) const {
     const auto& cells = parts_[tet].cells;
+    Checkpoint checkpoint;
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
+      checkpoint.pass();
       if (!is_hexahedron(component_of_[first_cells_[tet] + c])) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         ExactPoint low = cells[c].low;
@@ -270,7 +281,9 @@ class Extraction {
     for (const TetPart& part : parts_) result.flipped_tets += part.volume <= 0;
     const std::vector<std::uint32_t> places = places_of(corners);
     std::map<std::uint32_t, std::uint32_t> numbers;
+    Checkpoint checkpoint;
     for (std::uint32_t c = 0; c < components_.size(); ++c) {
+      checkpoint.pass();
       if (components_[c].degree == 0) continue;
       std::array<std::uint32_t, 8> hexahedron{};
       for (std::size_t k = 0; k < 8; ++k) hexahedron[k] = corners.root(corner(c, k));
