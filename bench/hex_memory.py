@@ -8,33 +8,18 @@ the peak, which may not exceed the limit, and the exit code (5: refused by the l
 """
 import argparse
 import json
-import re
 import subprocess
+import sys
 import tempfile
 import threading
 import time
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests/command"))
+from resident_memory import resident_bytes_with_descendants
+
 SHARES = (0.3, 0.5, 0.7, 0.9, 1.1)
 PAUSE_S = 0.002
-
-
-def descendants(process):
-    yield process
-    try:
-        for task in Path(f"/proc/{process}/task").iterdir():
-            for child in (task / "children").read_text().split():
-                yield from descendants(int(child))
-    except OSError:
-        pass
-
-
-def resident_bytes(process):
-    """What processes share, as a helper does with the program before it is started, counts in parts (Pss)."""
-    try:
-        return 1024 * int(re.search(r"^Pss: +(\d+)", Path(f"/proc/{process}/smaps_rollup").read_text(), re.MULTILINE)[1])
-    except (OSError, TypeError):
-        return 0
 
 
 class Run:
@@ -48,7 +33,7 @@ class Run:
             reader = threading.Thread(target=self.read, args=(process.stdout,))
             reader.start()
             while process.poll() is None:
-                now = sum(map(resident_bytes, descendants(process.pid)))
+                now = resident_bytes_with_descendants(process.pid)
                 first, most = self.stages.get(self.stage, (now, now))
                 self.stages[self.stage] = first, max(most, now)
                 time.sleep(PAUSE_S)

@@ -2,35 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """`hex`, `tets` and repairs keep to --max-memory, with the programs that they start: what does not fit is refused before it is made."""
 
-import re
 import subprocess
 import time
 import unittest
-from pathlib import Path
 
 from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
+from resident_memory import resident_bytes_with_descendants
 from tets_test import MAKERS
 
 LIMIT, PARTIAL = 5, 6
 PAUSE_S = 0.005
-
-
-def with_descendants(process):
-    yield process
-    try:
-        for task in Path(f"/proc/{process}/task").iterdir():
-            for child in (task / "children").read_text().split():
-                yield from with_descendants(int(child))
-    except OSError:
-        pass
-
-
-def resident_bytes(process):
-    """What processes share counts in parts (Pss)."""
-    try:
-        return 1024 * int(re.search(r"^Pss: +(\d+)", Path(f"/proc/{process}/smaps_rollup").read_text(), re.MULTILINE)[1])
-    except (OSError, TypeError):
-        return 0
 
 
 class MemoryTest(CommandTest):
@@ -44,7 +25,7 @@ class MemoryTest(CommandTest):
             process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=errors)
             end, peak = time.monotonic() + TIME_LIMIT, 0
             while process.poll() is None and time.monotonic() < end:
-                peak = max(peak, sum(map(resident_bytes, with_descendants(process.pid))))
+                peak = max(peak, resident_bytes_with_descendants(process.pid))
                 time.sleep(PAUSE_S)
             process.kill()
             self.assertIn(process.wait(), codes, (self.folder / "errors").read_text())
