@@ -9,7 +9,7 @@ import time
 import unittest
 
 from field_reader import Field
-from program import PROGRAM, CommandTest, medit_text, stl_bytes, tet_box, torus_triangles, without_solve
+from program import PROGRAM, CommandTest, by_night, medit_text, stl_bytes, tet_box, torus_triangles, without_solve
 
 INTERRUPTED = 130
 
@@ -175,6 +175,7 @@ class Cancelled(InterruptionTest):
         solve.send_while_halted()
         return solve.end()
 
+    @by_night
     def test_a_second_signal_leaves_nothing(self):
         code, output, errors = self.cancel_while_writing()
         self.assertEqual(code, INTERRUPTED)
@@ -182,6 +183,7 @@ class Cancelled(InterruptionTest):
         self.assertTrue(errors.endswith("crossgrain: interrupted\n"), errors)
         self.assertEqual(self.names(), ["torus.stl"])
 
+    @by_night
     def test_a_second_signal_leaves_an_earlier_result_as_it_was(self):
         self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "out", "--resolution", 16))
         before = self.files()

@@ -32,6 +32,10 @@ def of_the_day(items, *chosen):
     return [item for item in items if NIGHTLY or getattr(item, "name", item) in chosen]
 
 
+# Above a test that others stand for by day.
+by_night = unittest.skipUnless(NIGHTLY, "by night")
+
+
 def run(*arguments, stdin=b"", program=PROGRAM, **options):
     """The finished process, its output as text."""
     command = [program, *map(str, arguments)]

@@ -8,7 +8,7 @@ import time
 import unittest
 
 import numpy as np
-from program import CommandTest, box_triangles, cylinder_triangles, stl_bytes, tilt, torus_triangles
+from program import CommandTest, box_triangles, by_night, cylinder_triangles, stl_bytes, tilt, torus_triangles
 from recompute_report import IN_NO_WAY, disagreements
 
 KEYS = {
@@ -45,6 +45,7 @@ class Report(CommandTest):
     def test_every_number_of_a_torus_is_recomputed(self):
         self.assert_recomputable(torus_triangles(), "--resolution", "9")
 
+    @by_night
     def test_every_number_of_a_bumpy_torus_is_recomputed(self):
         triangles = torus_triangles(around=36, across=18)
         points, corner = np.unique(triangles.reshape(-1, 3).round(9), axis=0, return_inverse=True)

@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "command"))
 import numpy as np
 from field_reader import read_arrays
 from page_reader import Page
-from program import NIGHTLY, CommandTest, run
+from program import CommandTest, by_night, of_the_day, run
 
 MPI_PROGRAM = os.environ["CROSSGRAIN_MPI_PROGRAM"]
 MPIRUN = os.environ.get("CROSSGRAIN_MPIRUN", "mpirun")
@@ -154,6 +154,7 @@ class ProcessesTest(CommandTest):
 
 
 class Fields(ProcessesTest):
+    @by_night
     def test_of_a_part_with_creases_are_the_same_on_any_number_of_processes(self):
         self.assert_same_on((5,), BRACKET, "--resolution", SHARED)
 
@@ -164,11 +165,11 @@ class Fields(ProcessesTest):
     def test_of_degree_3_inside_a_curved_surface_are_the_same(self):
         self.assert_same_on((3,), self.write("sphere.stl", stl_of(sphere(48))), "--resolution", 48, "--degree", 3)
 
-    @unittest.skipUnless(NIGHTLY, "by night")
+    @by_night
     def test_inside_an_open_surface_are_the_same(self):
         self.assert_same_on((2,), self.write("open.stl", stl_of(sphere(32, 0.8))), "--resolution", 50)
 
-    @unittest.skipUnless(NIGHTLY, "by night")
+    @by_night
     def test_in_a_thin_wall_are_the_same(self):
         self.assert_same_on((2,), self.write("wall.stl", stl_of(box((4, 3, 0.02)))), "--resolution", 190)
 
@@ -219,11 +220,13 @@ class Pieces(ProcessesTest):
             values = grid.GetCellData().GetArray(name)
             np.testing.assert_array_equal(np.array([values.GetTuple(i) for i in range(0, len(cells[name]), 997)]).squeeze(), cells[name][::997])
 
+    @by_night
     def test_hold_merged_cells_as_one_process_merges_them(self):
         self.solved_alone(BRACKET, "--resolution", SHARED, "--output-level", 5)
         self.solved_in_pieces("--output-level", 5)
         self.assert_same_as_alone("together")
 
+    @by_night
     def test_are_shown_on_a_page_with_merged_cells(self):
         result = self.together(2, "solve", BRACKET, "-o", "together", "--resolution", SHARED_ANYWHERE, "--quiet", "--threads", 1,
                                env=without_number_of_cells(ENVIRONMENT))
@@ -284,7 +287,7 @@ class Breaks(ProcessesTest):
     def test_at_any_moment_lose_nothing_on_another_number_of_processes(self):
         self.solved_alone(BRACKET, "--resolution", SHARED)
         moments = random.Random(int(os.environ.get("CROSSGRAIN_SEED", "7")))
-        for processes, afterwards in [(2, 3), (3, 1)] * (int(os.environ.get("CROSSGRAIN_BREAKS", "2")) // 2):
+        for processes, afterwards in of_the_day([(2, 3), (3, 1)], (2, 3)) * (int(os.environ.get("CROSSGRAIN_BREAKS", "2")) // 2):
             command = [*START, "-n", str(processes), MPI_PROGRAM, "solve", str(BRACKET), "-o", "broken", *map(str, self.OPTIONS),
                        "--checkpoint", "kept", "--checkpoint-minutes", "0"]
             shutil.rmtree(self.folder / "kept", ignore_errors=True)
@@ -359,7 +362,7 @@ class Faults(ProcessesTest):
 
 class Interruptions(ProcessesTest):
     def test_end_the_solve_with_one_line_and_leave_nothing(self):
-        for name in (signal.SIGINT, signal.SIGTERM):
+        for name in of_the_day((signal.SIGINT, signal.SIGTERM), "SIGINT"):
             with self.subTest(name.name):
                 command = [*START, "-n", "2", MPI_PROGRAM, "solve", str(BRACKET), "--resolution", "768", "-o", "out", "--quiet", "--threads", "1"]
                 job = subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True)

@@ -16,6 +16,7 @@
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/writing.hpp"
 #include "meshing/hexahedra_of_models.hpp"
+#include "support/nightly.hpp"
 #include "support/shapes.hpp"
 #include "tets/tet_meshes.hpp"
 
@@ -316,7 +317,7 @@ TEST_F(HexMeshing, ExpectsOneLayerOfHexahedraInAPlateThatIsThinnerThanOne) {
 
 TEST_F(HexMeshing, IsTheSameForAnyNumberOfThreads) {
   HexMeshingOptions options = of_size(0.5);
-  options.tets.size = 0.5;
+  options.tets.size = is_nightly() ? 0.5 : 0.8;
   const TriangleMesh ball = make_sphere(1, 2);
   options.solve.threads = 1;
   const Hexahedra one = make_hexahedra(ball, options);

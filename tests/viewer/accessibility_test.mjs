@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { kDesktop, kPhone, of_the_day, shared_page } from "./browser.mjs";
+import { by_night, kDesktop, kPhone, of_the_day, shared_page } from "./browser.mjs";
 
 /** Texts whose contrast to what is behind them is below WCAG 2 AA, as sentences. */
 function faint_texts() {
@@ -142,7 +142,7 @@ test("the document has a title, a language, landmarks and one first heading", as
   assert.match(facts.view, /ball\.stl/);
 });
 
-test("who wants no motion gets none", async () => {
+test("who wants no motion gets none", by_night, async () => {
   const { page } = await shared_page("ball");
   for (const motion of ["reduce", "no-preference"]) {
     await page.emulateMedia({ reducedMotion: motion });

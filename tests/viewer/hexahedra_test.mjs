@@ -6,7 +6,7 @@ import { test } from "node:test";
 
 import { filled_page } from "../../viewer/tests/scene_writer.mjs";
 import { center_of as center_of_points, hex_mesh } from "../../viewer/tests/hex_scene.mjs";
-import { check_opening, check_said_once, difference, keep_screenshot, kPhone, open, page_file, picture, scene_named, shared_page, state, template } from "./browser.mjs";
+import { by_night, check_opening, check_said_once, difference, keep_screenshot, kPhone, open, page_file, picture, scene_named, shared_page, state, template } from "./browser.mjs";
 
 const by_test = (name) => `[data-testid="${name}"]`;
 const mesh = hex_mesh();
@@ -214,7 +214,7 @@ test("the table of faces is sorted by its heads, marks faces without quads, and 
   await page.locator(`${by_test("faces")} > summary`).click();
 });
 
-test("on a phone the worst hexahedron is named too, and a tap beside it shows all", async () => {
+test("on a phone the worst hexahedron is named too, and a tap beside it shows all", by_night, async () => {
   const { page } = await shared_page("hexahedra", { device: kPhone, scheme: "dark" });
   await page.locator(by_test("tab-field")).tap();
   await page.locator(by_test("worst-place")).first().tap();

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, open, picture, scene_named, shared_page, state } from "./browser.mjs";
+import { by_night, check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, open, picture, scene_named, shared_page, state } from "./browser.mjs";
 
 const by_test = (name) => `[data-testid="${name}"]`;
 
@@ -144,7 +144,7 @@ test("a link restores the view", async () => {
   await second.page.close();
 });
 
-test("the picture that is saved is twice as fine as the view and has the legend in it", async () => {
+test("the picture that is saved is twice as fine as the view and has the legend in it", by_night, async () => {
   const { page } = await shared_page("tets");
   const facts = await page.evaluate(async () => {
     const image = new Image();
