@@ -188,7 +188,7 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
   return quality;
 }
 
-void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
+void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport& report) {
   report.hexahedra = mesh.hexahedra.size();
   report.vertices = mesh.vertices.size();
   report.bodies = count_bodies(mesh);
@@ -199,7 +199,7 @@ void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
   report.inner_valences = topology.inner_valences;
   report.boundary_valences = topology.boundary_valences;
   report.quality = quality_of(mesh);
-  measure_fit(mesh, model, report);
+  measure_fit(mesh, model, fit_to, report);
 }
 
 void explain_poor(const HexMesh& mesh, const std::vector<HexAttempt>& attempts, double least_quality,

@@ -6,6 +6,7 @@
 
 #include "crossgrain/hexahedra.hpp"
 #include "hex/hex_candidate.hpp"
+#include "hex/model_fit.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {
@@ -14,7 +15,7 @@ HexReport::Quality quality_of(const HexMesh& mesh);
 
 /// Fills in what a mesh says by itself and beside the model: counts, topology, volumes, areas, distances,
 /// scaled Jacobians, valences. The mesh has its boundary.
-void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report);
+void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport& report);
 
 /// Fills in the reason why a result is not whole, the places and what to try, unless it is, from all
 /// attempts. The report has its outcome and quality.

@@ -86,13 +86,15 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.left_out = extracted.left_out.size();
   if (report.left_out > 0)
     report.left_out_place = centroid_of_tet(followed.solid().mesh, extracted.left_out.front());
-  measure(mesh, followed.solid(), report);
+  const std::vector<BodyContact> contacts = body_contacts(followed.solid());
+  const bool has_inner_boundary = !contacts.empty() && contacts.front().is_of_areas();
+  measure(mesh, followed.solid(), has_inner_boundary ? FitTo::kTets : FitTo::kGivenModel, report);
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
   mesh.is_partial = is_partial(report.outcome);
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
   explain(best, queue.attempts(), report);
   SolveReport whole = field.report();
-  judge_solids(mesh, followed.solid(), report, whole);
+  judge_solids(mesh, field.domain(), contacts, report, whole);
   if (report.outcome == HexOutcome::kAllHex)
     explain_poor(mesh, queue.attempts(), queue.least_quality(), report);
   const bool is_up_to_solids = report.outcome == HexOutcome::kFlawed && best.made->are_complete();

@@ -165,12 +165,12 @@ std::vector<Vector3> points_on(const std::vector<Vector3>& vertices,
   return points;
 }
 
-void measure_fit(const HexMesh& mesh, const TetSolid& tets, HexReport& report) {
+void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexReport& report) {
   const std::vector<double> volumes = volumes_of(mesh);
   report.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   report.area = boundary_area(mesh);
   TriangleMesh triangles;
-  if (const GivenModel* const given = tets.mesh.given.get()) {
+  if (const GivenModel* const given = tets.mesh.given.get(); given && fit_to == FitTo::kGivenModel) {
     report.model = given->source;
     report.model_volume = given->size.volume;
     report.model_area = given->size.area;

@@ -27,9 +27,12 @@ Farthest farthest_from(const HexMesh& mesh, const std::vector<Vector3>& points);
 std::vector<Vector3> points_on(const std::vector<Vector3>& vertices,
                                const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// Fills in volumes, areas and distances: beside the model that the tets were made of (TetMesh::given),
-/// otherwise beside the tets.
-void measure_fit(const HexMesh& mesh, const TetSolid& tets, HexReport& report);
+/// What hexahedra are measured by: the model that the tets were made of (TetMesh::given), if there is one, or
+/// the tets, which have the surfaces of solids that touch or overlap twice, as the hexahedra do.
+enum class FitTo { kGivenModel, kTets };
+
+/// Fills in volumes, areas and distances.
+void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexReport& report);
 
 /// Fills in ModelFace::quads of the faces that bound the model, unless the boundary has no tags.
 void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces);

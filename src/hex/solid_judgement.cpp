@@ -8,8 +8,8 @@
 
 #include "crossgrain/message.hpp"
 #include "crossgrain/place.hpp"
-#include "measure/body_contacts.hpp"
 #include "measure/hex_interfaces.hpp"
+#include "solve/tet_domain_data.hpp"
 
 namespace crossgrain {
 namespace {
@@ -37,24 +37,21 @@ void judge_empty_solids(const std::vector<std::int32_t>& empty, HexReport& repor
   report.remedy = Remedy::kTakeSmallerHexahedra;
 }
 
-/// Whether a warning is about solids that meet, as the field on the grid or the tets told them.
-bool is_of_contact(const Warning& warning) {
-  switch (warning.kind) {
-    case WarningKind::kOverlappingSolids:
-    case WarningKind::kTouchingSolids:
-    case WarningKind::kUnmergedVertices:
-      return true;
-    case WarningKind::kSurfaceFinding:
-      return warning.text.starts_with(name_of(FindingKind::kOverlappingComponents)) ||
-             warning.text.starts_with(name_of(FindingKind::kTouchingComponents));
-    default:
-      return false;
-  }
+/// Removes what the surface and the tets say of contacts. The boundary of tets is closed, so all that is
+/// found of it, and not of the model (`of_model`), comes from them too.
+void remove_contacts(const std::vector<Warning>& of_model, std::vector<Warning>& warnings) {
+  const auto is_found = [&](const Warning& warning) {
+    return warning.kind == WarningKind::kSurfaceFinding &&
+           std::ranges::none_of(of_model, [&](const Warning& one) { return one.text == warning.text; });
+  };
+  std::erase_if(warnings, [&](const Warning& one) { return is_of_contact(one) || is_found(one); });
 }
 
 }  // namespace
 
-void judge_solids(const HexMesh& mesh, const TetSolid& model, HexReport& report, SolveReport& whole) {
+void judge_solids(const HexMesh& mesh, const TetDomain& domain, const std::vector<BodyContact>& contacts,
+                  HexReport& report, SolveReport& whole) {
+  const TetSolid& model = domain.data().solid;
   const bool is_united = whole.onto->united;
   const HexInterfaces interfaces = interfaces_of(mesh, model, kOnInterface * report.used_size);
   report.interface_faces = interfaces.faces;
@@ -68,10 +65,13 @@ void judge_solids(const HexMesh& mesh, const TetSolid& model, HexReport& report,
             interfaces.off, counted(interfaces.faces, "face"), interfaces.largest_distance,
             interfaces.largest_distance / report.used_size, words_of_place(interfaces.place)));
   }
-  if (report.outcome != HexOutcome::kAllHex) return;
-  if (const std::vector<BodyContact> contacts = body_contacts(model); !contacts.empty()) {
+  const bool is_flawed = !contacts.empty() && contacts.front().is_of_areas();
+  const bool is_whole = report.outcome == HexOutcome::kAllHex;
+  if (!contacts.empty()) remove_contacts(domain.warnings(), whole.warnings);
+  if (!contacts.empty() && !(is_flawed && is_whole)) whole.warnings.push_back(warning_of(contacts));
+  if (!is_whole) return;
+  if (is_flawed) {
     judge_contacts(contacts, report);
-    std::erase_if(whole.warnings, is_of_contact);
   } else if (!interfaces.empty_regions.empty() && !is_united) {
     judge_empty_solids(interfaces.empty_regions, report);
   }

@@ -3,17 +3,20 @@
 #pragma once
 
 #include "crossgrain/hexahedra.hpp"
-#include "tets/tet_solid.hpp"
+#include "crossgrain/tet_domain.hpp"
+#include "measure/body_contacts.hpp"
 
 namespace crossgrain {
 
-/// Judges complete hexahedra by the solids of their model (its tets), in two ways. Sets HexOutcome::kFlawed
-/// with reason, remedy and places where solids touch without common vertices, overlap, or have no hexahedra.
-/// Warns (WarningKind::kCrossedInterfaces) where the faces between hexahedra of two solids are off the faces
-/// between these. A model whose solids are united is asked only about those that share no vertices.
+/// Judges complete hexahedra by the solids of their model (its tets, with all their contacts), in two ways.
+/// Sets HexOutcome::kFlawed with reason, remedy and places where solids touch without common vertices,
+/// overlap, or have no hexahedra. Warns (WarningKind::kCrossedInterfaces) where the faces between hexahedra
+/// of two solids are off the faces between these. A model whose solids are united is asked only about those
+/// that share no vertices.
 ///
-/// `whole` is the report of the field: it gets the warning, and loses those of the field about solids that
-/// meet, which say otherwise what the reason says of the hexahedra.
-void judge_solids(const HexMesh& mesh, const TetSolid& model, HexReport& report, SolveReport& whole);
+/// `whole` is the report of the field: it gets the warnings, also that of solids that meet only in an edge or
+/// a point, and loses those of the field about solids that meet, which say otherwise the same.
+void judge_solids(const HexMesh& mesh, const TetDomain& domain, const std::vector<BodyContact>& contacts,
+                  HexReport& report, SolveReport& whole);
 
 }  // namespace crossgrain

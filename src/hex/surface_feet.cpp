@@ -42,6 +42,8 @@ void MapSurface::find_faces() {
     const TetComplex::Edge& edge = complex.edges()[e];
     if (edge.is_on_boundary() && !is_bent(e)) sets.join(edge.boundary_faces[0], edge.boundary_faces[1]);
   }
+  for (std::uint32_t f = 0; f < count; ++f) boundary_.push_back({ascending(solid.boundary[f]), f});
+  std::ranges::sort(boundary_, {}, &SortedFace::vertices);
   face_of_.resize(count);
   std::vector<TriangleMesh> meshes;
   for (std::uint32_t f = 0; f < count; ++f) {
@@ -112,12 +114,9 @@ Foot MapSurface::foot_of(const Carrier& carrier) const {
     return {Foot::Kind::kFace, face_of_[edge.boundary_faces[0]]};
   }
   if (carrier.count == 3) {
-    // The boundary faces at one of its edges that have its third vertex too.
-    for (const TetComplex::RingFace& ring : complex.ring(a)) {
-      auto sorted = complex.solid().boundary[ring.face];
-      std::sort(sorted.begin(), sorted.end());
-      if (sorted == std::array{a, b, c}) return {Foot::Kind::kFace, face_of_[ring.face]};
-    }
+    const auto found = std::ranges::lower_bound(boundary_, std::array{a, b, c}, {}, &SortedFace::vertices);
+    if (found != boundary_.end() && found->vertices == std::array{a, b, c})
+      return {Foot::Kind::kFace, face_of_[found->face]};
   }
   return {};
 }

@@ -2,6 +2,7 @@
 // Where vertices of hexahedra belong on the surface of the tets.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -48,12 +49,19 @@ class MapSurface {
   };
   using Segment = std::array<std::uint32_t, 2>;
 
+  /// A boundary face with its vertices in ascending order.
+  struct SortedFace {
+    std::array<std::uint32_t, 3> vertices;
+    std::uint32_t face;
+  };
+
   void find_faces();
   void find_curves();
   bool is_bent(std::uint32_t boundary_edge) const;
   std::vector<std::uint32_t> bent_edges_at(std::uint32_t vertex) const;
 
   const MatchedField* field_;
+  std::vector<SortedFace> boundary_;     ///< ascending
   std::vector<std::uint32_t> face_of_;   ///< of each boundary face
   std::vector<std::uint32_t> curve_of_;  ///< of each edge of the complex that is bent
   std::vector<std::unique_ptr<Face>> faces_;

@@ -14,6 +14,7 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/finding.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/place.hpp"
 #include "surface/bvh.hpp"
@@ -128,6 +129,14 @@ Bodies bodies_of(const TetSolid& solid) {
   return bodies;
 }
 
+Box grown(Box box, double by) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] -= by;
+    box.high[axis] += by;
+  }
+  return box;
+}
+
 /// Returns how far apart two bodies may be and count as touching.
 double reach_of(const TetBody& body, const TetBody& other, double rounding) {
   return rounding + kSagittas * (body.largest_sagitta() + other.largest_sagitta());
@@ -233,6 +242,53 @@ bool is_overlap(const Meeting& meeting, const TetBody& body) {
   return meeting.inside > 0 || meeting.alike > 0.5 * body.area();
 }
 
+/// The vertices of a body that lie on the surface of another one: for each its nearest triangle there.
+std::vector<std::uint32_t> triangles_at_vertices(const TetBody& body, const TetBody& other, double rounding) {
+  const std::vector<Vector3>& vertices = body.surface.mesh.vertices;
+  std::vector<std::uint32_t> at(vertices.size(), kUnused);
+  const Box near = grown(other.surface.box, rounding);
+  parallel_for(vertices.size(), [&](std::size_t v) {
+    if (!boxes_meet({vertices[v], vertices[v]}, near)) return;
+    const NearestPoint nearest = other.tree.nearest(vertices[v]);
+    if (nearest.squared_distance <= rounding * rounding) at[v] = nearest.triangle;
+  });
+  return at;
+}
+
+/// Contact of vertices and edges of `body` with the surface of `other`; that along an edge, if there is any.
+std::optional<BodyContact> contact_of_vertices(const TetBody& body, const TetBody& other, double rounding) {
+  const std::vector<std::uint32_t> at = triangles_at_vertices(body, other, rounding);
+  std::optional<BodyContact> contact;
+  const auto& vertices = body.surface.mesh.vertices;
+  for (std::size_t t = 0; t < body.surface.size(); ++t) {
+    const auto& triangle = body.surface.mesh.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = triangle[k], next = triangle[(k + 1) % 3];
+      if (at[v] == kUnused) continue;
+      const std::array regions{body.regions[t], other.regions[at[v]]};
+      if (!contact) contact = {{}, regions, ContactKind::kInPoint, 0, vertices[v]};
+      if (at[next] == kUnused) continue;
+      const Vector3 middle = 0.5 * (vertices[v] + vertices[next]);
+      if (other.tree.nearest(middle).squared_distance > rounding * rounding) continue;
+      return BodyContact{{}, regions, ContactKind::kInEdge, 0, middle};
+    }
+  }
+  return contact;
+}
+
+/// Contact of bodies that share no area.
+std::optional<BodyContact> contact_without_area(const Bodies& bodies, std::uint32_t a, std::uint32_t b,
+                                                double rounding) {
+  std::optional<BodyContact> contact = contact_of_vertices(*bodies[a], *bodies[b], rounding);
+  if (!contact || contact->kind == ContactKind::kInPoint) {
+    std::optional<BodyContact> reverse = contact_of_vertices(*bodies[b], *bodies[a], rounding);
+    if (reverse) std::swap(reverse->regions[0], reverse->regions[1]);
+    if (!contact || (reverse && reverse->kind == ContactKind::kInEdge)) contact = reverse;
+  }
+  if (contact) contact->bodies = {a, b};
+  return contact;
+}
+
 std::optional<BodyContact> contact_of(const Bodies& bodies, std::uint32_t a, std::uint32_t b,
                                       double rounding) {
   std::optional<BodyContact> contact;
@@ -243,21 +299,28 @@ std::optional<BodyContact> contact_of(const Bodies& bodies, std::uint32_t a, std
     const auto first = overlaps ? meeting.first_inside : meeting.first_touching;
     const double area = overlaps ? meeting.inside + meeting.alike : meeting.touching;
     if (!first || area == 0) continue;
-    if (contact && std::pair(contact->is_overlap, contact->area) >= std::pair(overlaps, area)) continue;
+    const ContactKind kind = overlaps ? ContactKind::kOverlap : ContactKind::kInFaces;
+    if (contact && std::pair(contact->kind, -contact->area) <= std::pair(kind, -area)) continue;
     const auto [p, q, r] = body.surface.corners(*first);
     std::array<std::int32_t, 2> regions{body.regions[*first], meeting.relations[*first].other_region};
     if (one == b) std::swap(regions[0], regions[1]);
-    contact = {{a, b}, regions, overlaps, area, (1.0 / 3) * (p + q + r)};
+    contact = {{a, b}, regions, kind, area, (1.0 / 3) * (p + q + r)};
   }
-  return contact;
+  return contact ? contact : contact_without_area(bodies, a, b, rounding);
 }
 
-Box grown(Box box, double by) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.low[axis] -= by;
-    box.high[axis] += by;
+const char* words_of(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::kOverlap:
+      return "overlap, and both are meshed whole, one in the other";
+    case ContactKind::kInFaces:
+      return "touch, but are meshed apart, without common vertices";
+    case ContactKind::kInEdge:
+      return "meet only in an edge, where hexahedra of both share no vertices";
+    case ContactKind::kInPoint:
+      break;
   }
-  return box;
+  return "meet only in a point, where hexahedra of both share no vertex";
 }
 
 }  // namespace
@@ -276,7 +339,7 @@ std::vector<BodyContact> body_contacts(const TetSolid& solid) {
     }
   }
   std::ranges::stable_sort(contacts, [](const BodyContact& one, const BodyContact& other) {
-    return std::pair(one.is_overlap, one.area) > std::pair(other.is_overlap, other.area);
+    return std::pair(one.kind, -one.area) < std::pair(other.kind, -other.area);
   });
   return contacts;
 }
@@ -288,13 +351,32 @@ Warning warning_of(const std::vector<BodyContact>& contacts) {
     return by_region ? std::int64_t{first.regions[k]} : std::int64_t{first.bodies[k]} + 1;
   };
   const auto [low, high] = std::minmax({number(0), number(1)});
-  std::string text = fmt::format("{} {} and {} {}", by_region ? "solids" : "bodies", low, high,
-                                 first.is_overlap ? "overlap, and both are meshed whole, one in the other"
-                                                  : "touch, but are meshed apart, without common vertices");
+  std::string text =
+      fmt::format("{} {} and {} {}", by_region ? "solids" : "bodies", low, high, words_of(first.kind));
   if (contacts.size() > 1) text += fmt::format(", and {}", counted(contacts.size() - 1, "more pair"));
   text += ", at " + words_of_place(first.place);
-  if (first.is_overlap) return {WarningKind::kOverlappingSolids, text, Remedy::kSeparateSolids};
-  return {WarningKind::kTouchingSolids, text, Remedy::kGlueSolids};
+  if (first.kind == ContactKind::kOverlap)
+    return {WarningKind::kOverlappingSolids, text, Remedy::kSeparateSolids};
+  return {WarningKind::kTouchingSolids, text,
+          first.kind == ContactKind::kInFaces ? Remedy::kGlueSolids : Remedy::kNone};
+}
+
+bool is_of_contact(const Warning& warning) {
+  switch (warning.kind) {
+    case WarningKind::kOverlappingSolids:
+    case WarningKind::kTouchingSolids:
+    case WarningKind::kTouchingEdges:
+    case WarningKind::kTouchingVertices:
+    case WarningKind::kUnmergedVertices:
+      return true;
+    case WarningKind::kSurfaceFinding:
+      return std::ranges::any_of(
+          std::array{FindingKind::kNonmanifoldEdge, FindingKind::kOverlappingComponents,
+                     FindingKind::kTouchingComponents},
+          [&](FindingKind kind) { return warning.text.starts_with(name_of(kind)); });
+    default:
+      return false;
+  }
 }
 
 }  // namespace crossgrain

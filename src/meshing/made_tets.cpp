@@ -73,19 +73,16 @@ TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOption
                     const Monitor& monitor) {
   const ReadLimits limits(monitor, options.solve.max_memory_bytes);
   TetMesh mesh = make();
-  // Of parts that touch, the contacts of bodies below say more, or else the report.
-  const auto is_of_contact = [](const Warning& warning) {
-    return warning.kind == WarningKind::kSurfaceFinding &&
-           warning.text.starts_with(name_of(FindingKind::kTouchingComponents));
-  };
-  if (warns && options.on_warning)
-    for (const Warning& warning : mesh.warnings)
-      if (!is_of_contact(warning)) options.on_warning(warning);
-  const TetDomain domain = prepared(TetDomain(std::move(mesh), options.tags), options);
-  if (!warns || !options.on_warning) return domain;
-  const std::vector<BodyContact> contacts = body_contacts(domain.data().solid);
-  if (!contacts.empty()) options.on_warning(warning_of(contacts));
-  return domain;
+  const std::vector<Warning> warnings = mesh.warnings;
+  const TetDomain domain(std::move(mesh), options.tags);
+  if (warns && options.on_warning) {
+    // Of solids that meet, the contacts say more.
+    const std::vector<BodyContact> contacts = body_contacts(domain.data().solid);
+    for (const Warning& warning : warnings)
+      if (contacts.empty() || !is_of_contact(warning)) options.on_warning(warning);
+    if (!contacts.empty()) options.on_warning(warning_of(contacts));
+  }
+  return prepared(domain, options);
 }
 
 StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, AttemptQueue& queue,

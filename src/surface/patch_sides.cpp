@@ -2,6 +2,7 @@
 #include "surface/patch_sides.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -19,7 +20,8 @@ namespace {
 /// 0.25 to 0.35.
 constexpr double kCurvesRound = 0.25;
 
-/// A sheet bounds a solid if the winding numbers on its two sides are within this distance of 0 and 1.
+/// A sheet bounds a solid if the winding numbers on its two sides are within this distance of 0 and of 1, or
+/// of 2 and more where sheets lie on each other.
 constexpr double kBounds = 0.25;
 
 /// Number of triangles of a patch that are tested; the median decides.
@@ -54,6 +56,7 @@ double winding_of(const std::array<Vector3, 3>& corners, const Vector3& p) {
 /// Winding numbers at a patch.
 struct View {
   double own = 0, others = 0;
+  double step = 1;   ///< from one side to the other: 2 where another one lies on it, 1 at least
   bool any = false;  ///< the patch still has triangles
 };
 
@@ -113,11 +116,18 @@ class PatchJudge {
     return looks;
   }
 
-  static double at_both_sides(const Surface& surface, std::uint32_t t, const auto& winding_at) {
+  /// The winding numbers on the outer and the inner side of a triangle.
+  static std::array<double, 2> on_both_sides(const Surface& surface, std::uint32_t t,
+                                             const auto& winding_at) {
     const auto [a, b, c] = surface.corners(t);
     const Vector3 centre = (1.0 / 3) * (a + b + c);
     const Vector3 off = kStepOff * std::sqrt(surface.areas[t]) * surface.normals[t];
-    return 0.5 * (winding_at(centre + off) + winding_at(centre - off));
+    return {winding_at(centre + off), winding_at(centre - off)};
+  }
+
+  static double at_both_sides(const Surface& surface, std::uint32_t t, const auto& winding_at) {
+    const auto [outer, inner] = on_both_sides(surface, t, winding_at);
+    return 0.5 * (outer + inner);
   }
 
   static double own_winding(const Surface& surface, std::uint32_t look,
@@ -137,11 +147,14 @@ class PatchJudge {
         [&](std::size_t p) {
           if (members_[p].empty()) return;
           const std::vector<std::uint32_t> looks = looks_of(surface, members_[p]);
-          std::vector<double> all(looks.size());
+          std::vector<double> all(looks.size()), steps(looks.size());
           parallel_for(
               looks.size(),
               [&](std::size_t k) {
-                all[k] = at_both_sides(surface, looks[k], [&](const Vector3& x) { return winding.at(x); });
+                const auto [outer, inner] =
+                    on_both_sides(surface, looks[k], [&](const Vector3& x) { return winding.at(x); });
+                all[k] = 0.5 * (outer + inner);
+                steps[k] = std::abs(inner - outer);
               },
               1);
           std::vector<double> owns = all;
@@ -152,6 +165,7 @@ class PatchJudge {
           }
           views[p].own = median(owns);
           views[p].others = median(all) - views[p].own;
+          views[p].step = std::max(1.0, std::round(median(steps)));
           views[p].any = true;
         },
         1);
@@ -181,7 +195,8 @@ class PatchJudge {
     bool any = false;
     for (std::size_t p = 0; p < patches_.size(); ++p) {
       if (!views[p].any || std::abs(views[p].own) >= kCurvesRound) continue;
-      if (std::abs(views[p].own + views[p].others - 0.5) <= kBounds) continue;
+      const double outside = views[p].own + views[p].others - 0.5 * views[p].step;
+      if (std::abs(outside) <= kBounds) continue;
       any = sides_.stray[p] = true;
       for (const std::uint32_t member : members_[p]) sides_.left_out[rest_[member]] = true;
     }

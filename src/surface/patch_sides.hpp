@@ -34,7 +34,7 @@ struct PatchSides {
 ///   than -1/4): it encloses | 1 and more      | kept: a void, or a part inside another
 ///   a volume                | -1 and less     | flipped: it lies in a part that is flipped
 ///   in between: a sheet     | any             | stray where own + others is not within 1/4 of 1/2, unless
-///   closed
+///   closed, or 0 is on one side and 2 or more on the other: sheets that lie on each other
 ///
 /// The orientation of a patch with nearly equal shares of both is unknown: inside an odd number of others it
 /// becomes a void. Surfaces of more than 3,000 patches are not classified.

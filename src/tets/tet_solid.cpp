@@ -9,7 +9,9 @@
 #include "base/ascending.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
+#include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/place.hpp"
 #include "surface/surface.hpp"
 #include "surface/topology.hpp"
 #include "tets/boundary_edges.hpp"
@@ -221,13 +223,19 @@ void warn_of_unused_vertices(TetSolid& solid, std::vector<Warning>& warnings) {
 void warn_of_boundary_faults(const TetSolid& solid, std::vector<Warning>& warnings) {
   const BoundaryFaults faults = find_boundary_faults(solid.boundary);
   if (faults.edges > 0) {
+    const auto& [a, b] = faults.first_edge;
+    const std::vector<Vector3>& vertices = solid.mesh.vertices;
     warnings.emplace_back(WarningKind::kTouchingEdges,
                           "edges where the solid touches itself (more than two boundary faces): " +
                               std::to_string(faults.edges) + "; the first joins vertices " +
-                              numbers(faults.first_edge) + " (counted from 0)");
+                              numbers(faults.first_edge) + " (counted from 0) at " +
+                              words_of_place(0.5 * (vertices[a] + vertices[b])));
   }
-  warn(warnings, WarningKind::kTouchingVertices, {faults.vertices, faults.first_vertex}, "vertex",
-       "vertices where the solid touches itself");
+  if (faults.vertices > 0)
+    warnings.emplace_back(WarningKind::kTouchingVertices,
+                          "vertices where the solid touches itself: " + std::to_string(faults.vertices) +
+                              "; the first is " + counted_from_0("vertex", faults.first_vertex) + " at " +
+                              words_of_place(solid.mesh.vertices[faults.first_vertex]));
 }
 
 /// Warns of boundary faces at the same place with different vertices: the file has the vertices between two

@@ -15,7 +15,7 @@ import numpy as np
 from program import TIME_LIMIT, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
-NOT_ALL_HEX = 6
+BAD_INPUT, NOT_ALL_HEX = 3, 6
 
 
 class HexSolidsTest(CommandTest):
@@ -46,6 +46,25 @@ class OfTriangles(HexSolidsTest):
     def test_bodies_apart_are_two_parts_of_one_mesh(self):
         self.write("two.stl", stl_bytes(np.concatenate([box_triangles((2.0, 2.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (3, 0, 0)])))
         self.assertRegex(self.hex("two.stl", *FEW), "all-hex: 16 of 1 in 2 bodies")
+
+    def test_bodies_that_meet_in_an_edge_or_a_point_are_told_so_once_in_words_of_hexahedra(self):
+        box = box_triangles((2.0, 2.0, 2.0))
+        for place, where in (((2, 2, 0), "an edge, where hexahedra of both share no vertices, at 2 2 1"), ((2, 2, 2), "a point, where .*, at 2 2 2")):
+            with self.subTest(where):
+                self.write("two.stl", stl_bytes(np.concatenate([box, box + place])))
+                self.assertRegex(self.hex("two.stl", *FEW), "all-hex: 16 of 1 in 2 bodies")
+                self.assertRegex(self.result.stderr, f"warning: two.stl: (solids|bodies) 1 and 2 meet only in {where}\n")
+                self.assertEqual([w["kind"] for w in self.report["warnings"]], ["touching_solids"])
+
+    def test_bodies_in_one_place_are_no_success_however_their_faces_are_cut(self):
+        box = box_triangles((2.0, 2.0, 2.0))
+        middles = box.mean(axis=1, keepdims=True)
+        finer = np.concatenate([np.concatenate([box[:, [k, (k + 1) % 3]], middles], axis=1) for k in range(3)])
+        self.write("twice.stl", stl_bytes(np.concatenate([box, finer])))
+        result = self.run_here("hex", "twice.stl", *FEW, "-o", "out", "--no-report")
+        # Some versions of the programs that make tets refuse such triangles.
+        self.assertIn(result.returncode, (BAD_INPUT, NOT_ALL_HEX), result.stdout)
+        self.assertRegex(result.stdout + result.stderr, "unite its parts|solids overlap, as warned")
 
     def test_what_is_warned_of_before_the_work_is_not_said_again(self):
         triangles = box_triangles((2.0, 2.0, 2.0))

@@ -49,7 +49,7 @@ HexReport fit_of(const HexMesh& mesh, const TetSolid& tets) {
   HexReport report;
   report.hexahedra = mesh.hexahedra.size();
   report.used_size = 2;
-  measure_fit(mesh, tets, report);
+  measure_fit(mesh, tets, FitTo::kGivenModel, report);
   return report;
 }
 

@@ -83,7 +83,7 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
   HexReport report = made.report();
   SolveReport whole = made.field.report();
   whole.onto->united = false;
-  judge_solids(made.mesh, solid_of(two_regions(0.4)), report, whole);
+  judge_solids(made.mesh, TetDomain(two_regions(0.4)), {}, report, whole);
   const std::vector<Warning>& warnings = whole.warnings;
   ASSERT_TRUE(warns_of_interfaces(warnings));
   EXPECT_NE(

@@ -231,6 +231,26 @@ TEST(Mending, LeavesOutWhatBoundsNothing) {
   }
 }
 
+TEST(Mending, KeepsSolidsInOnePlaceHoweverTheirFacesAreCut) {
+  std::mt19937 random(13);
+  const TriangleMesh box = make_box({1, 1, 1});
+  // Each triangle of the box in three.
+  TriangleMesh finer = box;
+  finer.vertices.clear();
+  finer.triangles.clear();
+  for (const auto& triangle : box.triangles) {
+    const auto [a, b, c] = corners_of(triangle, box.vertices);
+    const auto first = static_cast<std::uint32_t>(finer.vertices.size());
+    finer.vertices.insert(finer.vertices.end(), {a, b, c, (1.0 / 3) * (a + b + c)});
+    for (std::uint32_t k = 0; k < 3; ++k)
+      finer.triangles.push_back({first + k, first + (k + 1) % 3, first + 3});
+  }
+  const MendedSurface mended = mend_surface(put_anywhere(join_meshes(box, finer), random));
+  EXPECT_EQ(count_of(mended, FindingKind::kStrayFacet), 0u);
+  EXPECT_EQ(mended.surface.size(), 48u);
+  EXPECT_TRUE(mended.closed);
+}
+
 TEST(Mending, LeavesOutAMoebiusBandBesideABox) {
   std::mt19937 random(12);
   const TriangleMesh mesh =

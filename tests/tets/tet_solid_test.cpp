@@ -208,7 +208,7 @@ TEST(TetSolid, WarnsOfAVertexAtWhichItTouchesItself) {
   EXPECT_EQ(solid.components, 2u);
   EXPECT_EQ(warnings.back().kind, WarningKind::kTouchingVertices);
   EXPECT_EQ(warnings.back().text,
-            "vertices where the solid touches itself: 1; the first is vertex 0 (counted from 0)");
+            "vertices where the solid touches itself: 1; the first is vertex 0 (counted from 0) at 0 0 0");
 }
 
 TEST(TetSolid, WarnsOfAnEdgeAlongWhichItTouchesItself) {
