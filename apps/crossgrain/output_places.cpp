@@ -39,9 +39,10 @@ std::optional<std::string> replaced_model(const SolveArguments& arguments) {
 }
 
 void check_output_file(const std::string& path) {
-  if (!may_exist(path) || is_own_file(path)) return;
-  throw Error(ErrorKind::kOutput,
-              {path, "", "is there, and Crossgrain did not write it", Remedy::kClearPlace});
+  if (!may_exist(path) || is_unchanged_alone(path)) return;
+  const char* text = is_own_file(path) ? "is there, and was changed since Crossgrain wrote it"
+                                       : "is there, and Crossgrain did not write it";
+  throw Error(ErrorKind::kOutput, {path, "", text, Remedy::kClearPlace});
 }
 
 }  // namespace crossgrain::app

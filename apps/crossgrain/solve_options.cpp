@@ -11,9 +11,8 @@ void add_folder(CLI::App& command, SolveArguments& arguments, const char* help) 
   add_value(command, "-o,--output", arguments.output, "DIR", help);
   command.add_flag_callback(
       "--force", [&arguments] { arguments.output_options.foreign_files = ForeignFiles::kReplace; },
-      "Write to the folder even if it holds files that Crossgrain did not write, and replace those with "
-      "names "
-      "of results");
+      "Write to the folder even if it holds files that Crossgrain did not write or that were changed since, "
+      "and replace those with names of results");
 }
 
 void add_run_options(CLI::App& command, SolveArguments& arguments) {

@@ -120,8 +120,9 @@ crossgrain_status crossgrain_field_render(const crossgrain_field* field, const c
 /** Takes `count` bytes of a file. Returns other than 0 if they cannot be written; the writer ends then. */
 typedef int (*crossgrain_sink)(void* sink_state, const char* bytes, size_t count);
 
-/** Writes the content of a file to a sink, given the report as it is written, as JSON. Returns other than 0
- * to give up: then no file of the result is written. Called once, perhaps on another thread. */
+/** Writes the content of a file to a sink, given the report as JSON, as it is written but for this file in
+ * its list. Returns other than 0 to give up: then no file of the result is written. Called once, perhaps on
+ * another thread. */
 typedef int (*crossgrain_companion_writer)(const char* report, crossgrain_sink sink, void* sink_state,
                                            void* state);
 

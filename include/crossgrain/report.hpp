@@ -28,14 +28,16 @@ struct ResultInventory {
   /// files with a mark; empty before.
   std::string solve = {};
 
-  /// A file of the folder without a mark, because its format has no comments. The next `write_field` knows it
-  /// by this entry and may replace it (OutputOptions::foreign_files).
-  struct UnmarkedFile {
+  /// A file of the folder. The next `write_field` replaces it only while it is as this entry says
+  /// (OutputOptions::foreign_files).
+  struct File {
     std::string name;
     std::uint64_t bytes = 0;
-    std::string checksum;  ///< FNV-1a of 64 bits, 16 hexadecimal digits; empty for a companion
+    std::string checksum;  ///< CRC-32, 8 hexadecimal digits
   };
-  std::vector<UnmarkedFile> unmarked_files;
+
+  /// All but report.json, which ends with a checksum of its own. Set by `write_field`.
+  std::vector<File> files;
 };
 
 /// What is known of a result: of the model, of the solve, of the field (FieldAnalysis), of tets and

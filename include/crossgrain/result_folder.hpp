@@ -58,7 +58,7 @@ using ByteSink = std::function<void(std::string_view bytes)>;
 struct CompanionFile {
   std::string name;  ///< in the folder; none of the library's own names but kPageFile
 
-  /// Writes the content, given the report as it is written.
+  /// Writes the content, given the report as it is written, but for this file in its list.
   using Writer = std::function<void(const SolveReport& report, const ByteSink& write)>;
 
   /// Returns the writer. Called once, while the field's own files are written, perhaps on another thread. The
@@ -67,12 +67,13 @@ struct CompanionFile {
   std::function<Writer(const Monitor& monitor)> prepare;
 };
 
-/// What `write_field` does about files in its folder that this library did not write. It knows its own by a
-/// mark in them or by the list in report.json (docs/field-file.md).
+/// What `write_field` does about files in its folder that this library did not write, and about results that
+/// were changed since. It knows its own by the list in report.json, and what has no name of a result by a
+/// mark (docs/field-file.md).
 enum class ForeignFiles {
   kRefuse,  ///< fails if there is any, or a folder
   kKeep,    ///< fails only if one has the name of a result (`all_result_files`), and leaves the others
-  kReplace  ///< replaces or removes those with names of results, and leaves the others
+  kReplace  ///< replaces or removes those with names of results, changed or not, and leaves the others
 };
 
 /// The sole right to write a field to a folder, until the last pointer to it goes or the process ends.

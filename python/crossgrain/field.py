@@ -79,8 +79,8 @@ class _AnyField:
         Returns the report as written.
 
         `changes` are members of OutputOptions: ``field.write("part.frames", level=6)``. Raises OutputError,
-        also if the folder has files that Crossgrain did not write, unless ``foreign_files="keep"`` or
-        ``"replace"``.
+        also if the folder has files that Crossgrain did not write, or that were changed since, unless
+        ``foreign_files="keep"``, which allows for the former without names of results, or ``"replace"``.
         """
         if page is not None or options is None:
             changes["page"] = page is None or page

@@ -6,8 +6,8 @@
 
 namespace crossgrain {
 
-/// The checksum FNV-1a of 64 bits (RFC 9923): it shows that a file was changed, but not whether on purpose
-/// with the same checksum. A gigabyte takes about a second.
+/// The checksum FNV-1a of 64 bits (RFC 9923), long enough to tell apart all results that somebody keeps. A
+/// gigabyte takes about a second.
 class Checksum {
  public:
   void add(std::string_view bytes) {

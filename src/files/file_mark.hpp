@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mark that files of this library carry near their beginning, so that a later run knows them as its own
-// and refuses to replace others (OutputOptions::foreign_files).
+// The mark that files of this library carry near their beginning, so that a later run tells them from
+// files of others. Whether they were changed since is told by checksums (SolveReport::files, file_seal.hpp).
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,7 @@
 namespace crossgrain {
 
 // The mark in the form that a kind of file has for comments. A file with any of them counts as marked,
-// whatever its name. The formats of other programs, such as .fra, have no comments; the report lists those
-// files with their checksums (SolveReport::unmarked_files).
+// whatever its name. The formats of other programs, such as .fra, have no comments.
 inline constexpr std::string_view kXmlMark = "<!-- written by Crossgrain -->";
 inline constexpr std::string_view kHtmlMark = R"(<meta name="generator" content="Crossgrain">)";
 inline constexpr std::string_view kJsonMark = R"("program": "Crossgrain")";

@@ -48,6 +48,14 @@ fs::path resolved(const fs::path& folder) {
   return failure ? absolute : path;
 }
 
+bool is_untouched(const struct stat& before, const struct stat& now) {
+  const auto same = [](const timespec& a, const timespec& b) {
+    return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
+  };
+  return is_same_file(before, now) && before.st_size == now.st_size && same(before.st_mtim, now.st_mtim) &&
+         same(before.st_ctim, now.st_ctim);
+}
+
 bool is_at(const FolderEntry& entry, const Descriptor& folder) {
   struct stat status {};
   return folder.is_open() && ::fstat(folder.number(), &status) == 0 &&
@@ -191,6 +199,17 @@ void FolderReservation::check_names(const std::vector<std::string>& names) const
     if (::faccessat(folder_.number(), name.c_str(), W_OK, AT_EACCESS) != 0)
       fail_output(shown_of(name), "written", errno);
   }
+}
+
+bool FolderReservation::is_still_so(const std::string& name, const std::function<bool()>& is_so) {
+  struct stat now {};
+  // Behind links, as the content is.
+  const bool is_known = folder_.is_open() && ::fstatat(folder_.number(), name.c_str(), &now, 0) == 0;
+  const auto before = looked_at_.find(name);
+  if (is_known && before != looked_at_.end() && is_untouched(before->second, now)) return true;
+  if (!is_so()) return false;
+  if (is_known) looked_at_[name] = now;
+  return true;
 }
 
 void FolderReservation::require_staging() {

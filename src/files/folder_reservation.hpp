@@ -3,7 +3,11 @@
 // section 9).
 #pragma once
 
+#include <sys/stat.h>
+
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +39,9 @@ class FolderReservation {
 
   /// Throws Error(kOutput) if a file of such a name cannot be put into the folder.
   void check_names(const std::vector<std::string>& names) const;
+
+  /// Returns `is_so()`, or true if that was true of this file before and nobody has touched the file since.
+  bool is_still_so(const std::string& name, const std::function<bool()>& is_so);
 
   /// Returns the absolute path of the folder of files that are not published, and makes it if there is none.
   std::filesystem::path staging_place();
@@ -76,6 +83,7 @@ class FolderReservation {
   bool is_beside_ = true;
   Descriptor staging_;  ///< locked; not open once it is published
   int staging_error_ = 0;
+  std::map<std::string, struct stat> looked_at_;  ///< what was known of files when `is_so()` was true
 };
 
 /// Finishes what an interrupted replacement of files in a folder has left to do; waits a little for one in

@@ -56,7 +56,7 @@ Descriptor open_temporary(int folder, const std::string& target, std::string& te
   for (int attempt = 0;; ++attempt) {
     temporary = fmt::format(".{}.{}-{}.part", target, ::getpid(), attempt);
     Descriptor descriptor(
-        ::openat(folder, temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode));
+        ::openat(folder, temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode));
     if (descriptor.is_open() || errno != EEXIST) return descriptor;
   }
 }
@@ -77,7 +77,7 @@ OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.strin
 OutputFile::OutputFile(int folder, std::string name, std::string shown)
     : name_(std::move(shown)),
       target_(std::move(name)),
-      descriptor_(::openat(folder, target_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode)) {
+      descriptor_(::openat(folder, target_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode)) {
   if (!descriptor_.is_open()) fail("created", errno);
 }
 
@@ -100,7 +100,7 @@ void OutputFile::fail(const char* doing, int code) const {
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (checksum_) checksum_->add(bytes);
+  crc_.add(bytes);
   if (buffer_.size() + bytes.size() > kBufferBytes) flush();
   if (bytes.size() > kBufferBytes) {
     write_at(flushed_, bytes);
@@ -141,9 +141,22 @@ void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {
   }
 }
 
+std::string OutputFile::read_at(std::uint64_t offset, std::size_t size) const {
+  std::string bytes(size, '\0');
+  for (std::size_t begin = 0; begin < size;) {
+    const ssize_t done =
+        ::pread(descriptor_.number(), bytes.data() + begin, size - begin, static_cast<off_t>(offset + begin));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) fail("read", done < 0 ? errno : EIO);
+    begin += static_cast<std::size_t>(done);
+  }
+  return bytes;
+}
+
 void OutputFile::patch(std::uint64_t offset, std::string_view bytes) {
-  assert(!is_stream_ && !checksum_ && offset + bytes.size() <= position());
+  assert(!is_stream_ && offset + bytes.size() <= position());
   flush();
+  crc_.replace(read_at(offset, bytes.size()), bytes, position() - offset - bytes.size());
   write_at(offset, bytes);
 }
 

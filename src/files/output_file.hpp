@@ -6,12 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "files/checksum.hpp"
+#include "files/crc32.hpp"
 #include "files/descriptor.hpp"
 
 namespace crossgrain {
@@ -48,11 +47,8 @@ class OutputFile {
   /// Number of bytes written so far.
   std::uint64_t position() const { return flushed_ + buffer_.size(); }
 
-  /// Makes the file sum up all bytes that are written from now on; none of them may be patched.
-  void keep_checksum() { checksum_.emplace(); }
-
-  /// The sum since `keep_checksum`; none without it.
-  const std::optional<Checksum>& checksum() const { return checksum_; }
+  /// The sum of these bytes.
+  const Crc32& crc() const { return crc_; }
 
   /// Overwrites bytes already written; regular files only.
   void patch(std::uint64_t offset, std::string_view bytes);
@@ -69,6 +65,7 @@ class OutputFile {
   void flush();
   void start_writing_back();
   void write_at(std::uint64_t offset, std::string_view bytes);
+  std::string read_at(std::uint64_t offset, std::size_t size) const;
   [[noreturn]] void fail(const char* doing, int code) const;
 
   std::string name_;  ///< in errors
@@ -81,7 +78,7 @@ class OutputFile {
   std::uint64_t flushed_ = 0;
   std::uint64_t sent_ = 0;  ///< part of flushed_ whose write to disk has been started
   std::string buffer_;
-  std::optional<Checksum> checksum_;
+  Crc32 crc_;
 };
 
 /// Returns whether a file has a name that OutputFile gives to temporary files. A run that was killed leaves

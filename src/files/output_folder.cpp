@@ -6,10 +6,17 @@
 namespace crossgrain {
 
 OutputFile& OutputFolder::create(const std::string& name) {
-  files_.push_back(reservation_->create(name));
+  files_.push_back({name, reservation_->create(name)});
   names_.push_back(name);
-  files_.back()->set_solve(solve_);
-  return *files_.back();
+  OutputFile& file = *files_.back().file;
+  file.set_solve(solve_);
+  return file;
+}
+
+std::vector<ResultInventory::File> OutputFolder::created() const {
+  std::vector<ResultInventory::File> list;
+  for (const auto& [name, file] : files_) list.push_back({name, file->position(), file->crc().text()});
+  return list;
 }
 
 void OutputFolder::expect(const std::string& name) {
@@ -23,7 +30,7 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::commit() {
-  for (const auto& file : files_) file->finish();
+  for (const Created& created : files_) created.file->finish();
   std::erase_if(outdated_, [&](const std::string& name) {
     return std::find(names_.begin(), names_.end(), name) != names_.end();
   });

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "crossgrain/report.hpp"
 #include "files/folder_reservation.hpp"
 #include "files/output_file.hpp"
 
@@ -32,6 +33,9 @@ class OutputFolder {
   /// Creates a file in the folder. The folder owns it.
   OutputFile& create(const std::string& name);
 
+  /// Returns the files that have been created, in this order, as they are now.
+  std::vector<ResultInventory::File> created() const;
+
   /// Makes a file that another process writes to `place` a file of the folder. Throws Error(kOutput) if it
   /// cannot have this name.
   void expect(const std::string& name);
@@ -48,7 +52,11 @@ class OutputFolder {
 
  private:
   std::shared_ptr<FolderReservation> reservation_;
-  std::vector<std::unique_ptr<OutputFile>> files_;
+  struct Created {
+    std::string name;
+    std::unique_ptr<OutputFile> file;
+  };
+  std::vector<Created> files_;
   std::vector<std::string> names_, outdated_;
   std::string solve_;
 };

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "crossgrain/monitor.hpp"
+#include "files/file_seal.hpp"
 #include "files/output_file.hpp"
 #include "files/output_name.hpp"
 
@@ -19,6 +21,9 @@ template <class Mesh>
 struct MeshFormat {
   std::string_view extension;
   void (*write)(OutputFile& file, const Mesh& mesh, const Monitor& monitor);
+
+  /// Of formats that commands write under names that nobody gave: a file that was changed is not replaced.
+  std::optional<SealForm> seal = {};
 };
 
 /// Returns the format of a file. Throws Error(kUsage) if it is none of these; `what` is in the file, such as
@@ -41,6 +46,7 @@ void write_mesh(const MeshFormat<Mesh>& format, const Mesh& mesh, const std::fil
                 const Monitor& monitor) {
   OutputFile file(path);
   format.write(file, mesh, monitor);
+  if (format.seal) write_seal(file, *format.seal);
   file.commit();
 }
 

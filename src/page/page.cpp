@@ -14,6 +14,7 @@
 
 #include "crossgrain/writing.hpp"
 #include "files/file_mark.hpp"
+#include "files/file_seal.hpp"
 #include "files/output_file.hpp"
 #include "files/output_name.hpp"
 #include "page/page_scene.hpp"
@@ -93,6 +94,8 @@ void write_alone(const CompanionFile& page, const SolveReport& report, const std
   OutputFile file(path);
   page.prepare(monitor)(report, [&](std::string_view bytes) { file.write(bytes); });
   monitor.check();
+  // It may have the name of the page in the folder of a field, whose report does not list it.
+  write_seal(file, SealForm::kXml);
   file.commit();
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files/file_mark.hpp"
+#include "files/file_seal.hpp"
 
 namespace crossgrain {
 namespace {
@@ -105,7 +106,7 @@ bool write_rows(png_structp png, png_infop info, const Image& image, bool with_o
     }
     png_write_row(png, row.data());
   }
-  png_write_end(png, nullptr);
+  if (!texts.has_mark) png_write_end(png, nullptr);
   return true;
 }
 
@@ -133,6 +134,7 @@ void write_png(OutputFile& file, const Image& image, const Monitor& monitor, con
   png_destroy_write_struct(&png, &info);
   if (to.failure) std::rethrow_exception(to.failure);
   if (!is_written) throw std::bad_alloc();  // the only other failure of libpng
+  if (texts.has_mark) write_seal(file, SealForm::kPng);
 }
 
 }  // namespace crossgrain

@@ -11,7 +11,7 @@ namespace crossgrain {
 
 /// Texts that a PNG file carries.
 struct PngTexts {
-  bool has_mark = false;         ///< kPngMark (files/file_mark.hpp), as results have
+  bool has_mark = false;         ///< kPngMark (files/file_mark.hpp) and a seal (file_seal.hpp)
   std::string description = {};  ///< in UTF-8, for programs that show it and for screen readers
 };
 

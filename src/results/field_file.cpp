@@ -51,16 +51,12 @@ void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile
   write_cell_file(part, options, file, monitor);
 }
 
-bool is_companion(const std::string& name, const OutputOptions& options) {
-  return options.companion && options.companion->name == name;
-}
-
 }  // namespace
 
 std::shared_ptr<FolderReservation> check_field_folder(const std::filesystem::path& folder,
                                                       const OutputOptions& options) {
   auto reservation = reserve_writable(folder, result_files(options));
-  check_foreign_files(folder, options);
+  check_foreign_files(folder, options, *reservation);
   return reservation;
 }
 
@@ -76,6 +72,14 @@ void add_hexahedra(const OutputOptions& options, OutputFolder& output, const Mon
   for (const std::string& name : names) write_hexahedra_file(output.create(name), shown, monitor);
 }
 
+/// Removes files of an earlier result, unless they are written again.
+void remove_earlier(const std::filesystem::path& folder, OutputFolder& output) {
+  for (const char* name : {kStreamlinesFile, kPageFile}) output.remove_at_commit(name);
+  for (const std::string& name : pieces_in(folder)) output.remove_at_commit(name);
+  // Companions have names that only the report knows.
+  for (const std::string& name : listed_names_in(folder)) output.remove_at_commit(name);
+}
+
 /// Writes a folder; the cells by `write_cells`. By a field that processes share, these are called before all
 /// else, since they exchange messages.
 SolveReport write_folder(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
@@ -86,10 +90,11 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
   auto reservation = options.reservation ? options.reservation : std::make_shared<FolderReservation>(folder);
   if (reservation->name() != folder.string())
     throw Error(ErrorKind::kUsage, "the folder '" + reservation->name() + "' is reserved, not this one");
+  check_foreign_files(folder, options, *reservation, monitor);
   OutputFolder output(std::move(reservation));
-  check_foreign_files(folder, options);
   Stopwatch stopwatch;
   report.solve = solve;
+  report.files.clear();
   output.set_solve(solve);
   CompanionFile::Writer companion;
   const bool is_shared = !field.data().share().is_whole();
@@ -102,28 +107,24 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
           write_surface(output.create(kSurfaceFile), *surface, monitor);
         else
           output.remove_at_commit(kSurfaceFile);
-        report.unmarked_files.clear();
         add_files(output, report);
         add_hexahedra(options, output, monitor);
       },
       [&] {
         if (options.companion) companion = options.companion->prepare(monitor);
       });
-  list_companion(options, report);
-  std::vector<std::string> earlier = companions_in(folder);
-  earlier.insert(earlier.end(), {kStreamlinesFile, kPageFile});
-  for (const std::string& name : earlier)
-    if (!is_companion(name, options)) output.remove_at_commit(name);
-  for (const std::string& name : pieces_in(folder)) output.remove_at_commit(name);
+  remove_earlier(folder, output);
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
   warn_of_numbers_not_finite(report);
-  output.create(kReportFile).write(report_json(report));
+  for (ResultInventory::File& file : output.created()) report.files.push_back(std::move(file));
   if (options.companion) {
     OutputFile& file = output.create(options.companion->name);
     companion(report, [&](std::string_view bytes) { file.write(bytes); });
+    report.files.push_back(output.created().back());
   }
+  output.create(kReportFile).write(sealed_report_json(report));
   monitor.check();
   output.commit();
   return report;
@@ -149,9 +150,9 @@ SolveReport write_parts(const FrameField& field, SolveReport report, const std::
     return report;
   }
   bool is_begun = false;
-  const auto write_cells = [&](OutputFolder& output, SolveReport&) {
+  const auto write_cells = [&](OutputFolder& output, SolveReport& written) {
     is_begun = true;
-    write_pieces(cells, options, &output, monitor);
+    written.files = write_pieces(cells, options, &output, monitor);
     output.remove_at_commit(kCellsFile);
   };
   try {

@@ -19,7 +19,7 @@ using AddFiles = std::function<void(OutputFolder& output, SolveReport& report)>;
 
 /// Like `write_field` (crossgrain/result_folder.hpp), with additional files that appear together with
 /// field.vtu and report.json or not at all. `solve` is what all files name (solve_id). add_files creates and
-/// writes them, and lists those without a mark in the report; its time counts as seconds.write.
+/// writes them; its time counts as seconds.write.
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                             const Monitor& monitor, const OutputOptions& options, const std::string& solve,
                             const AddFiles& add_files);

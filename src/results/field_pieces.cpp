@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <exception>
@@ -13,6 +14,7 @@
 #include <thread>
 
 #include "crossgrain/error.hpp"
+#include "files/crc32.hpp"
 #include "files/file_mark.hpp"
 #include "files/folder_calls.hpp"
 #include "files/input_file.hpp"
@@ -122,13 +124,17 @@ void expect(const std::string& piece, const OutputOptions& options, OutputFolder
   output.expect(piece);
 }
 
-void write_own_piece(const FieldData& part, const OutputOptions& options, const Order& order,
+/// Size and CRC-32 of the piece.
+using Sums = std::array<std::uint64_t, 2>;
+
+Sums write_own_piece(const FieldData& part, const OutputOptions& options, const Order& order,
                      const Monitor& monitor) {
   const std::string name = piece_name(part.share().exchange->rank());
   const Descriptor folder = opened_soon(order.place);
   OutputFile file(folder.number(), name, (fs::path(order.shown) / name).string());
   file.set_solve(order.solve);
   write_cell_file(part, options, file, monitor);
+  return {file.position(), file.crc().value()};
 }
 
 }  // namespace
@@ -181,8 +187,8 @@ std::vector<std::string> pieces_in(const fs::path& folder) {
   return names;
 }
 
-void write_pieces(const FieldData& part, const OutputOptions& options, OutputFolder* output,
-                  const Monitor& monitor) {
+std::vector<ResultInventory::File> write_pieces(const FieldData& part, const OutputOptions& options,
+                                                OutputFolder* output, const Monitor& monitor) {
   Exchange& exchange = *part.share().exchange;
   std::optional<Order> mine;
   if (output != nullptr) mine = Order{output->place().string(), output->name(), output->solve()};
@@ -200,10 +206,11 @@ void write_pieces(const FieldData& part, const OutputOptions& options, OutputFol
     cell_data.assign(text.begin(), text.end());
   }
   std::exception_ptr failure;
+  Sums own_sums{};
   try {
     if (output != nullptr)
       for (const std::string& piece : pieces) expect(piece, options, *output);
-    if (part.tree.size() > 0) write_own_piece(part, options, *order, monitor);
+    if (part.tree.size() > 0) own_sums = write_own_piece(part, options, *order, monitor);
   } catch (const Error& error) {
     // Who interrupts does not wait for others to write their pieces.
     if (error.kind() == ErrorKind::kInterrupted) throw;
@@ -214,8 +221,17 @@ void write_pieces(const FieldData& part, const OutputOptions& options, OutputFol
   const bool has_failed = any(exchange, failure != nullptr);
   if (failure) std::rethrow_exception(failure);
   if (has_failed) throw OtherProcessFailed();
-  if (output == nullptr) return;
+  const std::vector<Sums> sums = gathered_value(exchange, own_sums);
+  std::vector<ResultInventory::File> listed;
+  if (output == nullptr) return listed;
   output->create(kPiecesFile).write(list_of(pieces, cell_data, order->solve));
+  for (std::size_t rank = 0; rank < sums.size(); ++rank) {
+    if (of_all[rank].empty()) continue;
+    const auto [bytes, crc] = sums[rank];
+    listed.push_back(
+        {piece_name(static_cast<int>(rank)), bytes, Crc32::text_of(static_cast<std::uint32_t>(crc))});
+  }
+  return listed;
 }
 
 void cancel_pieces(const FieldData& part) {

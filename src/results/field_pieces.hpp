@@ -24,12 +24,12 @@ std::vector<std::filesystem::path> cell_files(const std::filesystem::path& folde
 /// Returns the names of pieces in a folder, listed or not, that this library has written.
 std::vector<std::string> pieces_in(const std::filesystem::path& folder);
 
-/// Writes the cells of a part to a piece, and in the first process the list. All processes that share the
-/// field call it together: the first with its folder, the others with null. Throws in every process if one
-/// fails: that one its own error, the others OtherProcessFailed. Only Error(kInterrupted) is thrown at once,
-/// and the others wait.
-void write_pieces(const FieldData& part, const OutputOptions& options, OutputFolder* output,
-                  const Monitor& monitor);
+/// Writes the cells of a part to a piece, and in the first process the list; returns there what the report is
+/// to say of the pieces. All processes that share the field call it together: the first with its folder, the
+/// others with null. Throws in every process if one fails: that one its own error, the others
+/// OtherProcessFailed. Only Error(kInterrupted) is thrown at once, and the others wait.
+std::vector<ResultInventory::File> write_pieces(const FieldData& part, const OutputOptions& options,
+                                                OutputFolder* output, const Monitor& monitor);
 
 /// Tells the others, who are in write_pieces, that the first process has failed before it came there.
 void cancel_pieces(const FieldData& part);

@@ -5,16 +5,17 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <tuple>
 #include <vector>
 
 #include "crossgrain/error.hpp"
 #include "files/file_mark.hpp"
-#include "files/folder_reservation.hpp"
+#include "files/file_seal.hpp"
 #include "mesh_files/surface/surface_reader.hpp"
+#include "results/field_pieces.hpp"
 #include "results/report_file.hpp"
 #include "results/result_files.hpp"
 
@@ -22,33 +23,9 @@ namespace crossgrain {
 namespace {
 
 namespace fs = std::filesystem;
-using UnmarkedFile = ResultInventory::UnmarkedFile;
 
-std::string text_of(const Checksum& checksum) {
-  return fmt::format("{:016x}", checksum.value());
-}
-
-/// Returns the list in the report of a folder.
-std::vector<UnmarkedFile> unmarked_in(const fs::path& folder) {
-  return has_mark(folder / kReportFile) ? unmarked_files_of(folder / kReportFile)
-                                        : std::vector<UnmarkedFile>();
-}
-
-/// Returns whether a file is what the report says that was written.
-bool is_unchanged(const fs::path& path, const UnmarkedFile& written) {
-  std::error_code unknown;
-  if (!fs::is_regular_file(path, unknown)) return false;
-  if (written.checksum.empty()) return true;
-  if (fs::file_size(path, unknown) != written.bytes) return false;
-  std::ifstream file(path, std::ios::binary);
-  std::string block(1 << 18, '\0');
-  Checksum checksum;
-  do {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    checksum.add(std::string_view(block).substr(0, static_cast<std::size_t>(file.gcount())));
-  } while (file);
-  return file.eof() && text_of(checksum) == written.checksum;
-}
+/// What is known of a file in a folder, in the order in which messages name them.
+enum class Origin { kOwn, kChanged, kForeign, kUnlisted };
 
 /// Returns whether desktops leave a file of this name in folders that they show, or a run of this library
 /// that was killed.
@@ -72,58 +49,101 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-std::vector<std::string> foreign_names(const fs::path& folder) {
-  const std::vector<UnmarkedFile> unmarked = unmarked_in(folder);
-  std::vector<std::string> foreign;
-  for (std::string& name : names_in(folder)) {
-    const auto is_own = [&](const UnmarkedFile& file) {
-      return file.name == name && is_unchanged(folder / name, file);
-    };
-    if (is_litter(name) || has_mark(folder / name) || std::any_of(unmarked.begin(), unmarked.end(), is_own))
-      continue;
-    foreign.push_back(std::move(name));
+/// The files of a folder, and what its report says of them.
+class FolderContent {
+ public:
+  FolderContent(const fs::path& folder, const OutputOptions& options, FolderReservation& reservation,
+                const Monitor& monitor)
+      : folder_(folder),
+        reservation_(reservation),
+        monitor_(monitor),
+        listed_(files_of_report(folder / kReportFile)),
+        result_names_(all_result_files()) {
+    if (options.companion) result_names_.push_back(options.companion->name);
+    for (std::string& name : pieces_in(folder)) result_names_.push_back(std::move(name));
   }
-  return foreign;
+
+  /// Returns whether a new result may replace or remove the file.
+  bool would_be_lost(const std::string& name) const {
+    return std::find(result_names_.begin(), result_names_.end(), name) != result_names_.end() ||
+           entry_of(name) != nullptr;
+  }
+
+  Origin origin_of(const std::string& name) const {
+    const fs::path path = folder_ / name;
+    const ResultInventory::File* entry = entry_of(name);
+    const auto is_as_written = [&] {
+      return (entry != nullptr && has_content(path, entry->bytes, entry->checksum, monitor_)) ||
+             has_whole_seal(path, monitor_);
+    };
+    if (reservation_.is_still_so(name, is_as_written)) return Origin::kOwn;
+    if (entry != nullptr) return Origin::kChanged;
+    if (!has_mark(path)) return Origin::kForeign;
+    if (!would_be_lost(name)) return Origin::kOwn;
+    return name == kReportFile || name == kStreamlinesFile ? Origin::kChanged : Origin::kUnlisted;
+  }
+
+ private:
+  const ResultInventory::File* entry_of(const std::string& name) const {
+    const auto is_named = [&](const ResultInventory::File& file) { return file.name == name; };
+    const auto entry = std::find_if(listed_.begin(), listed_.end(), is_named);
+    return entry == listed_.end() ? nullptr : &*entry;
+  }
+
+  fs::path folder_;
+  FolderReservation& reservation_;
+  const Monitor& monitor_;
+  std::vector<ResultInventory::File> listed_;
+  std::vector<std::string> result_names_;
+};
+
+/// A file that stands against writing to its folder.
+struct Obstacle {
+  bool would_be_lost;
+  Origin origin;
+  std::string name;
+};
+
+std::string text_of(const std::vector<Obstacle>& obstacles) {
+  const Obstacle& first = obstacles.front();
+  const auto others = static_cast<std::size_t>(
+      std::count_if(obstacles.begin() + 1, obstacles.end(),
+                    [&](const Obstacle& obstacle) { return obstacle.origin == first.origin; }));
+  const std::string text =
+      fmt::format("holds '{}'{}, which ", first.name,
+                  others > 0 ? fmt::format(" and {}", counted(others, "other file")) : std::string());
+  if (first.origin == Origin::kForeign) return text + "Crossgrain did not write";
+  if (first.origin == Origin::kUnlisted) return text + "no report.json lists";
+  return text +
+         (others == 0 ? "was changed since Crossgrain wrote it" : "were changed since Crossgrain wrote them");
 }
 
 }  // namespace
 
-void check_foreign_files(const fs::path& folder, const OutputOptions& options) {
+void check_foreign_files(const fs::path& folder, const OutputOptions& options, FolderReservation& reservation,
+                         const Monitor& monitor) {
   if (options.foreign_files == ForeignFiles::kReplace) return;
-  std::vector<std::string> foreign = foreign_names(folder);
-  std::vector<std::string> results = all_result_files();
-  if (options.companion) results.push_back(options.companion->name);
-  const auto would_be_lost = [&](const std::string& name) {
-    return std::find(results.begin(), results.end(), name) != results.end();
-  };
+  const FolderContent content(folder, options, reservation, monitor);
+  std::vector<Obstacle> obstacles;
+  for (const std::string& name : names_in(folder)) {
+    const bool would_be_lost = content.would_be_lost(name);
+    if (is_litter(name) || (!would_be_lost && options.foreign_files == ForeignFiles::kKeep)) continue;
+    const Origin origin = content.origin_of(name);
+    if (origin != Origin::kOwn) obstacles.push_back({would_be_lost, origin, name});
+  }
+  if (obstacles.empty()) return;
   // The message names a file that would be lost, if there is one.
-  const auto rest = std::stable_partition(foreign.begin(), foreign.end(), would_be_lost);
-  if (options.foreign_files == ForeignFiles::kKeep) foreign.erase(rest, foreign.end());
-  if (foreign.empty()) return;
-  const std::size_t others = foreign.size() - 1;
-  throw Error(ErrorKind::kOutput,
-              {folder.string(), "",
-               others == 0 ? fmt::format("holds '{}', which Crossgrain did not write", foreign.front())
-                           : fmt::format("holds '{}' and {}, which Crossgrain did not write", foreign.front(),
-                                         counted(others, "other file")),
-               Remedy::kChooseFolder});
+  std::stable_sort(obstacles.begin(), obstacles.end(), [](const Obstacle& a, const Obstacle& b) {
+    return std::tuple(!a.would_be_lost, a.origin) < std::tuple(!b.would_be_lost, b.origin);
+  });
+  throw Error(ErrorKind::kOutput, {folder.string(), "", text_of(obstacles), Remedy::kChooseFolder});
 }
 
-void list_unmarked(const std::string& name, const OutputFile& file, ResultInventory& report) {
-  report.unmarked_files.push_back({name, file.position(), text_of(file.checksum().value())});
-}
-
-void list_companion(const OutputOptions& options, ResultInventory& report) {
-  if (options.companion && options.companion->name != kPageFile)
-    report.unmarked_files.push_back({options.companion->name, 0, {}});
-}
-
-std::vector<std::string> companions_in(const fs::path& folder) {
+std::vector<std::string> listed_names_in(const fs::path& folder) {
   const std::vector<std::string> present = names_in(folder);
   std::vector<std::string> names;
-  for (const UnmarkedFile& file : unmarked_in(folder))
-    if (file.checksum.empty() && std::binary_search(present.begin(), present.end(), file.name))
-      names.push_back(file.name);
+  for (const ResultInventory::File& file : files_of_report(folder / kReportFile))
+    if (std::binary_search(present.begin(), present.end(), file.name)) names.push_back(file.name);
   return names;
 }
 
@@ -148,6 +168,10 @@ bool may_exist(const fs::path& path) {
 
 bool is_own_file(const fs::path& path) {
   return has_mark(path);
+}
+
+bool is_unchanged_alone(const fs::path& path) {
+  return has_whole_seal(path);
 }
 
 }  // namespace crossgrain

@@ -40,15 +40,6 @@ void check_has_map(const TetOutput& output, const OutputOptions& options) {
                   fmt::format("'{}' is a format of maps of hexahedra, and this field has none", file.format));
 }
 
-void write_tet_file(const TetFile& tet_file, const TetOutput& output, OutputFolder& files,
-                    SolveReport& report, const Monitor& monitor) {
-  OutputFile& file = files.create(tet_file.name);
-  const bool has_mark = std::string_view(tet_file.name).ends_with(".vtu");
-  if (!has_mark) file.keep_checksum();
-  tet_file.write(file, output, monitor);
-  if (!has_mark) list_unmarked(tet_file.name, file, report);
-}
-
 }  // namespace
 
 SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetOutput& output,
@@ -59,11 +50,10 @@ SolveReport write_field_onto(const FrameField& field, SolveReport report, const 
   check_has_map(output, options);
   warn_of_left_out_tets(output.solid, options, report);
   return write_field_and(field, std::move(report), folder, monitor, options,
-                         solve_id(field.data(), options, &output),
-                         [&](OutputFolder& files, SolveReport& written) {
+                         solve_id(field.data(), options, &output), [&](OutputFolder& files, SolveReport&) {
                            for (const TetFile& file : tet_files()) {
                              if (is_asked_for(file, options.formats))
-                               write_tet_file(file, output, files, written, monitor);
+                               file.write(files.create(file.name), output, monitor);
                              else
                                files.remove_at_commit(file.name);
                            }
@@ -87,7 +77,7 @@ std::shared_ptr<FolderReservation> check_onto_folder(const std::filesystem::path
                                                      const OutputOptions& options) {
   check_formats(options.formats);
   auto reservation = reserve_writable(folder, result_files(options, /*on_tets=*/true));
-  check_foreign_files(folder, options);
+  check_foreign_files(folder, options, *reservation);
   return reservation;
 }
 

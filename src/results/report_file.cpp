@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -11,6 +14,8 @@
 #include "crossgrain/result_folder.hpp"
 #include "crossgrain/version.hpp"
 #include "crossgrain/writing.hpp"
+#include "files/crc32.hpp"
+#include "files/file_seal.hpp"
 #include "files/input_file.hpp"
 #include "files/read_memory.hpp"
 #include "results/json_members.hpp"
@@ -68,16 +73,27 @@ std::string check_json(const SolveReport& report) {
   return json_text(json);
 }
 
-std::vector<ResultInventory::UnmarkedFile> unmarked_files_of(const std::filesystem::path& path) {
+std::string sealed_report_json(const SolveReport& report) {
+  std::string text = report_json(report);
+  constexpr std::string_view kEnd = "\n}\n";
+  assert(text.ends_with(kEnd));
+  text.resize(text.size() - kEnd.size());
+  Crc32 crc;
+  crc.add(text);
+  return text + seal_text(SealForm::kJson, crc.value());
+}
+
+std::vector<ResultInventory::File> files_of_report(const std::filesystem::path& path) {
   ResultInventory report;
+  if (!has_whole_seal(path)) return {};
   try {
     const InputFile file(path);
     const Json json = Json::parse(file.bytes(), nullptr, false);
-    JsonReader(json, file).optional_list("unmarked_files", report.unmarked_files);
+    JsonReader(json, file).optional_list("files", report.files);
   } catch (const Error&) {
-    report.unmarked_files.clear();
+    report.files.clear();
   }
-  return report.unmarked_files;
+  return std::move(report.files);
 }
 
 std::optional<std::string> model_of_result(const std::filesystem::path& folder) {

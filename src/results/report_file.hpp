@@ -19,8 +19,11 @@ nlohmann::ordered_json json_of(const SolveReport& report);
 /// Adds a warning if numbers of the report are not finite; report.json has null for them.
 void warn_of_numbers_not_finite(SolveReport& report);
 
-/// Returns the list of files without a mark in a report.json of any schema; none if there is no list.
-std::vector<ResultInventory::UnmarkedFile> unmarked_files_of(const std::filesystem::path& path);
+/// Returns the text of report.json, which ends with a checksum of what comes before it.
+std::string sealed_report_json(const SolveReport& report);
+
+/// Returns SolveReport::files of a report.json of any schema; none if that is not as it was written.
+std::vector<ResultInventory::File> files_of_report(const std::filesystem::path& path);
 
 /// Returns the report in a report.json of schema kReportSchema. Unknown keys are ignored; null for a number
 /// becomes NaN. Throws Error(kInput).

@@ -184,7 +184,7 @@ void describe(File& file, Report& hexahedra) {
   });
 }
 
-CROSSGRAIN_DESCRIBE(ResultInventory::UnmarkedFile, name, bytes, checksum)
+CROSSGRAIN_DESCRIBE(ResultInventory::File, name, bytes, checksum)
 
 template <class File, MaybeConst<Warning> Value>
 void describe(File& file, Value& warning) {
@@ -203,7 +203,7 @@ void describe_doubts(File& file, Report& report) {
   file.optional_list("regions", report.regions);
   CROSSGRAIN_MEMBERS(report, interfaces, constraints, walls, decision, coarser, expected, limited, unfinished,
                      onto, hexahedra)
-  file.optional_list("unmarked_files", report.unmarked_files);
+  file.optional_list("files", report.files);
   file.member("warnings", report.warnings);
 }
 

@@ -33,4 +33,8 @@ void check_is_folder(const std::filesystem::path& folder);
 /// formats without comments do not (docs/field-file.md).
 bool is_own_file(const std::filesystem::path& path);
 
+/// Returns whether a file is as this library has written it alone: lines in .vtu, a picture, tets in .mesh,
+/// a page.
+bool is_unchanged_alone(const std::filesystem::path& path);
+
 }  // namespace crossgrain

@@ -18,6 +18,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/version.hpp"
 #include "files/checksum.hpp"
+#include "files/crc32.hpp"
 #include "files/file_mark.hpp"
 #include "files/folder_reservation.hpp"
 #include "results/field_pieces.hpp"
@@ -182,22 +183,23 @@ bool is_solve_id(const std::string& text) {
 }
 
 void check_listed_sizes(const fs::path& folder, const ResultInventory& report) {
-  for (const ResultInventory::UnmarkedFile& listed : report.unmarked_files) {
-    if (listed.checksum.empty() || fs::path(listed.name).has_parent_path()) continue;
+  for (const ResultInventory::File& listed : report.files) {
+    if (fs::path(listed.name).has_parent_path()) continue;
     std::error_code unknown;
     const auto bytes = fs::file_size(folder / listed.name, unknown);
-    if (!unknown && bytes != listed.bytes) refuse_unlisted(folder / listed.name);
+    if (!unknown && bytes != listed.bytes && !has_mark(folder / listed.name))
+      refuse_unlisted(folder / listed.name);
   }
 }
 
 void check_listed_bytes(const fs::path& path, std::string_view bytes, const ResultInventory& report) {
-  const auto& files = report.unmarked_files;
+  const auto& files = report.files;
   const auto listed = std::find_if(files.begin(), files.end(),
                                    [&](const auto& file) { return file.name == path.filename(); });
   if (listed == files.end()) return;
-  Checksum sum;
-  sum.add(bytes);
-  if (fmt::format("{:016x}", sum.value()) != listed->checksum) refuse_unlisted(path);
+  Crc32 crc;
+  crc.add(bytes);
+  if (crc.text() != listed->checksum) refuse_unlisted(path);
 }
 
 std::string solve_of_result(const fs::path& folder) {

@@ -19,7 +19,8 @@ std::string solve_id(const FieldData& data, const OutputOptions& options, const 
 /// Returns whether a text is one that `solve_id` may return.
 bool is_solve_id(const std::string& text);
 
-/// Throws Error(kInput) if a file of a folder is not the one that the report lists, as far as its size tells.
+/// Throws Error(kInput) if a file of a folder that names no solve, as its format has no comments, is not the
+/// one that the report lists, as far as its size tells.
 void check_listed_sizes(const std::filesystem::path& folder, const ResultInventory& report);
 
 /// Throws Error(kInput) if bytes, read from a file of a folder, are not those that the report lists for it.

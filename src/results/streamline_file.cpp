@@ -155,7 +155,7 @@ void write_obj_lines(OutputFile& file, const LinesInFile& lines, const Monitor& 
   }
 }
 
-constexpr std::array kLineFormats{MeshFormat<LinesInFile>{".vtu", write_vtu_lines},
+constexpr std::array kLineFormats{MeshFormat<LinesInFile>{".vtu", write_vtu_lines, SealForm::kXml},
                                   MeshFormat<LinesInFile>{".vtp", write_vtp_lines},
                                   MeshFormat<LinesInFile>{".obj", write_obj_lines}};
 
@@ -187,6 +187,7 @@ void write_streamlines(std::span<const Streamline> lines, const std::filesystem:
   OutputFile file(path);
   file.set_solve(solve);
   format.write(file, LinesInFile(lines), monitor);
+  if (format.seal) write_seal(file, *format.seal);
   file.commit();
 }
 

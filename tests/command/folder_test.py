@@ -3,6 +3,7 @@
 """What `crossgrain solve` does with a folder that is there already: its own files go, others stay untouched."""
 
 import os
+import shutil
 import signal
 import subprocess
 import unittest
@@ -91,6 +92,48 @@ class ForeignFiles(FolderTest):
         self.assertTrue(part.exists())
         self.assert_succeeds(self.solve("box.stl", "-o", "out"))
         self.assertEqual(self.names(), ["box.mesh", "box.stl", "out"])
+
+
+class ChangedFiles(FolderTest):
+    EVERY_RESULT = {"hex": (["hex", "box.mesh", "--cells", "2", "--write", "mesh,hexex,map," + EVERY_FORMAT], 22),
+                    "solve": (["solve", "box.stl", *RESOLUTION], 5)}
+
+    def refused(self, command, name):
+        changed = (self.folder / "out" / name).read_bytes()
+        self.assert_fails(self.run_here(*command, "-o", "out"), OUTPUT, f"out: holds '{name}', which was changed since Crossgrain wrote it; ",
+                          "another folder with -o", "--force")
+        self.assertEqual((self.folder / "out" / name).read_bytes(), changed)
+
+    def test_are_kept_whichever_of_a_result_it_is_and_replaced_by_force(self):
+        for command, files in self.EVERY_RESULT.values():
+            self.assert_succeeds(self.run_here(*command, "-o", "out"))
+            self.assert_succeeds(self.run_here("streamlines", "out", "--count", "3"))
+            written = self.contents()
+            self.assertEqual(len(written), files + 1)
+            for number, (name, content) in enumerate(sorted(written.items())):
+                with self.subTest(command=command[0], name=name):
+                    half = len(content) // 2
+                    in_place = content[:half] + bytes([content[half] ^ 1]) + content[half + 1:]
+                    # Either is tried on all files by ForeignFiles.AreAllThatWereChangedSinceTheyWereWritten, which is quicker.
+                    self.write("out/" + name, in_place if number % 2 else content + b"\n")
+                    self.refused(command, name)
+                    self.write("out/" + name, content)
+            for name, content in written.items():
+                self.write("out/" + name, content + b"mine")
+            self.assert_succeeds(self.run_here(*command, "-o", "out", "--force"))
+            self.assertEqual(set(self.contents()), set(written) - {"streamlines.vtu"})
+            self.assertFalse([name for name, content in self.contents().items() if content.endswith(b"mine")])
+            self.assert_succeeds(self.run_here(*command, "-o", "out"))
+            shutil.rmtree(self.folder / "out")
+
+    def test_are_none_that_the_user_deleted(self):
+        command = self.EVERY_RESULT["solve"][0]
+        self.assert_succeeds(self.run_here(*command, "-o", "out"))
+        for name in ("field.vtu", "report.html"):
+            (self.folder / "out" / name).unlink()
+        self.assert_succeeds(self.run_here(*command, "-o", "out"))
+        (self.folder / "out" / "report.json").unlink()
+        self.assert_fails(self.run_here(*command, "-o", "out"), OUTPUT, "out: holds 'field.vtu' and 3 other files, which no report.json lists; ", "--force")
 
 
 class OneSolveAtATime(FolderTest):
@@ -201,6 +244,10 @@ class OutputsThatNobodyNamed(FolderTest):
                 self.assertEqual((self.folder / name).read_text(), "mine")
                 self.assert_succeeds(self.run_here(*arguments, "-o", name))
                 self.assert_succeeds(self.run_here(*arguments))
+                changed = (self.folder / name).read_bytes() + b"mine"
+                self.write(name, changed)
+                self.assert_fails(self.run_here(*arguments), OUTPUT, name, "was changed since Crossgrain wrote it", "-o")
+                self.assertEqual((self.folder / name).read_bytes(), changed)
 
 
 class FieldsOfOtherModels(FolderTest):

@@ -36,7 +36,11 @@ class OfACylinder(PageTest):
         self.assertEqual(self.page.fetched, [])
 
     def test_holds_the_report(self):
-        self.assertEqual(self.page.report, json.loads((self.folder / "out" / "report.json").read_text()))
+        report = json.loads((self.folder / "out" / "report.json").read_text())
+        # The page cannot hold its own checksum, nor that of the report, which has it.
+        del report["checksum"]
+        self.assertEqual(report["files"].pop()["name"], "report.html")
+        self.assertEqual(self.page.report, report)
 
     def test_has_every_cell_with_its_place_frame_and_class(self):
         cells, arrays = self.page.header["cells"], self.page.arrays

@@ -13,7 +13,8 @@ from recompute_report import IN_NO_WAY, disagreements
 
 KEYS = {
     "": ["schema", "program", "solve", "verdict", "answer", "reasons", "model", "degree", "resolution", "levels", "energy", "alignment_deg", "spectrum", "singularity",
-         "seconds", "peak_memory_bytes", "version", "faces", "input", "creases", "walls", "coarser", "warnings"],
+         "seconds", "peak_memory_bytes", "version", "faces", "input", "creases", "walls", "coarser", "files", "warnings",
+         "checksum"],
     "model": ["path", "triangles", "bounding_box", "watertight", "components"],
     "input": ["triangles_solved", "closed", "findings"],
     "energy": ["smoothness", "boundary", "unavoidable", "total", "deviation_max"],

@@ -141,6 +141,9 @@ class Made(TetsTest):
         self.assertEqual((self.folder / "box.mesh").read_text(), "mine")
         self.assert_succeeds(self.tets("box.stl", "-o", "box.mesh"))
         self.assert_succeeds(self.tets("box.stl"))
+        self.write("box.mesh", (self.folder / "box.mesh").read_text() + "# mine\n")
+        self.assert_fails(self.tets("box.stl"), OUTPUT, "box.mesh", "was changed since Crossgrain wrote it", "-o")
+        self.assertIn("# mine", (self.folder / "box.mesh").read_text())
 
     def test_models_of_the_project_become_good_tets(self):
         for name in of_the_day(("bracket", "wedge"), "wedge"):

@@ -33,8 +33,8 @@ SHARED_CELLS, SHARED = 20000, 64
 # The bracket has 228,655 cells at this one: enough to be shared anywhere.
 SHARED_ANYWHERE = 190
 
-# What differs from run to run: times, and forecasts made from them. The name of the solve is a sum of all cells.
-OF_THE_RUN = ("seconds", "expected", "threads", "peak_memory_bytes")
+# What differs from run to run: times, forecasts made from them, and sums of files. The name of the solve is a sum of all cells.
+OF_THE_RUN = ("seconds", "expected", "threads", "peak_memory_bytes", "files", "checksum")
 
 # The number of cells decides the order of sweeps, so it holds for a process alone too.
 os.environ.setdefault("CROSSGRAIN_BLOCKED_CELLS", str(SHARED_CELLS))
@@ -264,6 +264,7 @@ class Pieces(ProcessesTest):
         self.assert_succeeds(self.run_here("solve", BRACKET, "-o", "other", "--resolution", 40, "--quiet", "--no-report"))
         shutil.copy(self.folder / "other" / "field.vtu", piece)
         self.assert_ends(self.run_here("check", "together"), 3, "field_1.vtu", "another solve")
+        self.assert_ends(self.together(3, "solve", BRACKET, "-o", "together", *self.OPTIONS), 4, "field_1.vtu", "was changed")
         piece.write_bytes(content[:len(content) // 2])
         self.assert_ends(self.run_here("check", "together"), 3, "field_1.vtu", "cut short")
         piece.unlink()

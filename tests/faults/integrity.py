@@ -10,6 +10,7 @@ import zlib
 
 SOLVE = {".vtu": rb"<!-- solve ([0-9a-f]{16}) -->", ".json": rb'"solve": "([0-9a-f]{16})"',
          ".html": rb'<meta name="crossgrain-solve" content="([0-9a-f]{16})">'}
+VTU_END = b"\n  </AppendedData>\n</VTKFile>\n"
 ALWAYS = {"field.vtu", "singularities.vtu", "surface.vtu", "report.json"}
 NUMBER_BYTES = {"Float32": 4, "Float64": 8, "Int32": 4, "Int64": 8, "UInt8": 1, "UInt32": 4, "UInt64": 8}
 
@@ -37,7 +38,11 @@ def check_vtu(path):
         for tag in re.findall(r"<DataArray[^>]*>", head[:start].decode()):
             end = max(end, check_array(file, start, attributes_of(tag), path))
         file.seek(end)
-        require(file.read() == b"\n  </AppendedData>\n</VTKFile>\n", f"{path}: no end")
+        require(file.read(len(VTU_END)) == VTU_END, f"{path}: no end")
+        whole = file.tell()
+        seal = file.read()
+        file.seek(0)
+        require(seal in (b"", b"<!-- checksum %08x -->\n" % zlib.crc32(file.read(whole) if seal else b"")), f"{path}: other bytes")
 
 
 def check_array(file, start, attributes, path):
@@ -54,12 +59,22 @@ def check_array(file, start, attributes, path):
     return file.tell()
 
 
-def checksum(data):
-    """FNV-1a of 64 bits."""
-    value = 0xCBF29CE484222325
-    for byte in data:
-        value = (value ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
-    return f"{value:016x}"
+def check_report(path):
+    """Returns the files that it lists by name."""
+    content = path.read_bytes()
+    body, behind = content[:-len(',\n  "checksum": "00000000"\n}\n')], content[-12:-4]
+    require(f"{zlib.crc32(body):08x}".encode() == behind, f"{path}: other bytes")
+    return {file["name"]: file for file in json.loads(content)["files"]}
+
+
+def check_content(path, listed):
+    """Compares size and CRC-32."""
+    crc = 0
+    require(path.stat().st_size == listed["bytes"], f"{path}: another size")
+    with open(path, "rb") as file:
+        while block := file.read(1 << 24):
+            crc = zlib.crc32(block, crc)
+    require(f"{crc:08x}" == listed["checksum"], f"{path}: other bytes")
 
 
 def check_page(path):
@@ -74,8 +89,6 @@ def check_file(path):
         check_vtu(path)
     elif path.suffix == ".html":
         check_page(path)
-    elif path.suffix == ".json":
-        json.loads(path.read_text(encoding="utf-8"))
 
 
 def solve_of(path):
@@ -89,17 +102,15 @@ def solve_of_whole(folder, others=()):
     """The solve of a result folder that is whole; `others` are names of files that do not belong to it."""
     names = {path.name for path in folder.iterdir()} - set(others)
     require(ALWAYS <= names, f"{folder} has only {sorted(names)}")
-    listed = {file["name"]: file for file in json.loads((folder / "report.json").read_text()).get("unmarked_files", ())}
+    listed = check_report(folder / "report.json")
+    require(set(listed) == names - {"report.json", "streamlines.vtu"}, f"{folder} lists {sorted(listed)} and has {sorted(names)}")
     solves = set()
     for name in sorted(names):
         path = folder / name
-        require(path.suffix in SOLVE or name in listed, f"{path} is left over")
+        if name in listed:
+            check_content(path, listed[name])
         if path.suffix in SOLVE:
             solves.add(solve_of(path))
-        else:
-            data = path.read_bytes()
-            require(len(data) == listed[name]["bytes"] and checksum(data) == listed[name]["checksum"], f"{path}: other bytes")
         check_file(path)
-    require(set(listed) <= names, f"{folder} lacks {sorted(set(listed) - names)}")
     require(len(solves) == 1, f"{folder} is of the solves {sorted(solves)}")
     return solves.pop()

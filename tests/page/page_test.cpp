@@ -60,10 +60,11 @@ TEST(Page, OfAFieldInMemoryStandsAlone) {
   const FrameField field = solved(false);
   write_page(field, folder.path() / "field.html");
   EXPECT_TRUE(is_own_file(folder.path() / "field.html"));
+  EXPECT_TRUE(is_unchanged_alone(folder.path() / "field.html"));
   EXPECT_EQ(folder.names(), std::vector<std::string>{"field.html"});
   std::string expected;
   page_of(field).prepare({})(field.report(), [&](std::string_view bytes) { expected += bytes; });
-  EXPECT_EQ(content_of(folder.path() / "field.html"), expected);
+  EXPECT_TRUE(content_of(folder.path() / "field.html").starts_with(expected));
 }
 
 TEST(Page, LeavesNothingWhereItIsCancelled) {

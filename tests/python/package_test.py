@@ -438,6 +438,17 @@ class Errors(WithFolder):
         field.write(self.folder / "mine", foreign_files="keep", page=False)
         self.assertTrue((self.folder / "mine" / "thesis.txt").exists())
 
+    def test_protect_results_that_were_changed(self):
+        field = cg.solve(*box(), resolution=8)
+        field.write(self.folder / "box.frames", page=False)
+        surface = self.folder / "box.frames" / "surface.vtu"
+        surface.write_bytes(surface.read_bytes() + b"mine")
+        for foreign_files in ("refuse", "keep"):
+            with self.assertRaisesRegex(cg.OutputError, "surface.vtu', which was changed"):
+                field.write(self.folder / "box.frames", foreign_files=foreign_files)
+        field.write(self.folder / "box.frames", foreign_files="replace")
+        self.assertFalse(surface.read_bytes().endswith(b"mine"))
+
     def test_of_pickling_say_what_to_do_instead(self):
         with self.assertRaisesRegex(TypeError, "write"):
             pickle.dumps(cg.solve(*box(), resolution=8))

@@ -29,8 +29,8 @@ REAL_MODELS = sorted(path for path in (Path(__file__).parents[3] / "shared" / "m
 if os.environ.get("CROSSGRAIN_NIGHTLY") != "1":
     REAL_MODELS = [path for path in REAL_MODELS if path.name in ("torus.obj", "s11o_cube_cyl.stp", "rod.msh")]
 
-# What differs from run to run, and forecasts made from it.
-OF_THE_RUN = ("seconds", "expected", "peak_memory_bytes")
+# What differs from run to run, forecasts made from it, and sums of files that have it; the files are compared.
+OF_THE_RUN = ("seconds", "expected", "peak_memory_bytes", "bytes", "checksum")
 
 
 def same_in_all_runs(value):

@@ -192,9 +192,9 @@ TEST(ReportFile, HasNullAndAWarningWhereANumberIsNotFinite) {
 }
 
 TEST(ReportFile, HasNoNullForAnythingButNumbers) {
-  const TemporaryFolder folder;
   for (const char* member :
        {"\"degree\": 3", "\"watertight\": true", "\"cells\": 100", "\"type\": \"changing\""}) {
+    const TemporaryFolder folder;
     write_field(field_of(sample_data(Degree::kFour)), sample_report(), folder.path());
     std::string text = content_of(folder.path() / "report.json");
     const std::size_t at = text.find(member);

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@
 #include "files/file_mark.hpp"
 #include "files/temporary_folder.hpp"
 #include "measure/made_tets.hpp"
+#include "mesh_files/made_bricks.hpp"
 #include "mesh_files/made_map.hpp"
 #include "results/onto_files.hpp"
+#include "results/report_file.hpp"
 #include "results/result_files.hpp"
 #include "results/sample_field.hpp"
 #include "results/tet_files.hpp"
@@ -44,6 +47,12 @@ std::map<std::string, std::string> contents_of(const TemporaryFolder& folder) {
   return contents;
 }
 
+CompanionFile notes() {
+  return {"notes.txt", [](const Monitor&) -> CompanionFile::Writer {
+            return [](const SolveReport&, const ByteSink& write) { write("text"); };
+          }};
+}
+
 void write_every_format(const std::filesystem::path& folder) {
   const TetSolid solid = solid_of(tet_box({2, 2, 2}, 0.2));
   TetField onto;
@@ -51,6 +60,8 @@ void write_every_format(const std::filesystem::path& folder) {
   onto.tet_frames = tet_frames_of(solid.mesh, onto.vertex_frames);
   const HexMap map = made_map(solid.mesh);
   OutputOptions options;
+  options.hexahedra = std::make_shared<HexMesh>(made_bricks({2, 1, 1}, {2, 1, 1}));
+  options.companion = notes();
   for (const OutputFormat& format : output_formats()) options.formats.push_back(format.name);
   write_field_onto(made_field(), sample_report(), {solid, onto, {}, 1, &map}, folder, {}, options);
 }
@@ -87,28 +98,63 @@ TEST(ForeignFiles, ThatWouldBeLostAreNamedFirst) {
 TEST(ForeignFiles, AreNoneOfAnEarlierField) {
   const TemporaryFolder folder;
   write_every_format(folder.path());
-  EXPECT_EQ(folder.names().size(), 3 + tet_files().size());
+  EXPECT_EQ(folder.names().size(), 8 + tet_files().size());
   EXPECT_EQ(refusal(folder.path()), "");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"field.vtu", "report.json", "singularities.vtu"}));
 }
 
-TEST(ForeignFiles, AreThoseThatWereChangedSinceTheyWereWritten) {
-  for (const TetFile& file : tet_files()) {
-    if (std::string(file.name).ends_with(".vtu")) continue;
-    const TemporaryFolder folder;
-    write_every_format(folder.path());
-    std::string content = content_of(folder.path() / file.name);
-    content[content.size() / 2] = content[content.size() / 2] == '1' ? '2' : '1';
-    folder.write(file.name, content);
-    EXPECT_NE(refusal(folder.path()).find(file.name), std::string::npos);
-  }
-}
-
-TEST(ForeignFiles, AreFilesForOtherProgramsWithoutTheirReport) {
+TEST(ForeignFiles, AreAllThatWereChangedSinceTheyWereWritten) {
   const TemporaryFolder folder;
   write_every_format(folder.path());
+  const std::map<std::string, std::string> written = contents_of(folder);
+  OutputOptions keep;
+  keep.foreign_files = ForeignFiles::kKeep;
+  for (const auto& [name, content] : written) {
+    std::string in_place = content;
+    in_place[content.size() / 2] ^= 1;
+    for (const std::string& changed : {content + "\n", content.substr(0, content.size() - 1), in_place}) {
+      folder.write(name, changed);
+      for (const OutputOptions& options : {OutputOptions(), keep})
+        EXPECT_EQ(refusal(folder.path(), options), folder.path().string() + ": holds '" + name +
+                                                       "', which was changed since Crossgrain wrote it; " +
+                                                       words_of(Remedy::kChooseFolder));
+      EXPECT_EQ(content_of(folder.path() / name), changed);
+    }
+    folder.write(name, content);
+  }
+  EXPECT_EQ(contents_of(folder), written);
+  EXPECT_EQ(refusal(folder.path()), "");
+}
+
+TEST(ForeignFiles, AreThoseThatWereChangedAfterAFirstCheckToo) {
+  const TemporaryFolder folder;
+  write_every_format(folder.path());
+  OutputOptions options;
+  options.reservation = check_field_folder(folder.path());
+  std::string content = content_of(folder.path() / "hexahedra.inp");
+  content[content.size() / 2] ^= 1;
+  folder.write("hexahedra.inp", content);
+  EXPECT_NE(refusal(folder.path(), options).find("hexahedra.inp"), std::string::npos);
+}
+
+TEST(ForeignFiles, AreResultsWithoutTheirReport) {
+  const TemporaryFolder folder;
+  write_every_format(folder.path());
+  const std::size_t files = folder.names().size();
   std::filesystem::remove(folder.path() / "report.json");
-  EXPECT_NE(refusal(folder.path()).find("'hexahedra.hexex' and 8 other files"), std::string::npos);
+  EXPECT_NE(refusal(folder.path()).find("which Crossgrain did not write"), std::string::npos);
+  for (const TetFile& file : tet_files())
+    if (!is_own_file(folder.path() / file.name)) std::filesystem::remove(folder.path() / file.name);
+  EXPECT_LT(folder.names().size(), files - 5);
+  EXPECT_NE(refusal(folder.path()).find("which no report.json lists"), std::string::npos);
+}
+
+TEST(ForeignFiles, AreNoneThatWereDeleted) {
+  const TemporaryFolder folder;
+  write_every_format(folder.path());
+  for (const char* name : {"field.vtu", "hexahedra.inp", "onto.fra", "notes.txt"})
+    std::filesystem::remove(folder.path() / name);
+  EXPECT_EQ(refusal(folder.path()), "");
 }
 
 TEST(ForeignFiles, AreNotWhatDesktopsAndKilledRunsLeave) {
@@ -121,7 +167,8 @@ TEST(ForeignFiles, AreNotWhatDesktopsAndKilledRunsLeave) {
 
 TEST(ForeignFiles, AreNotWhatALinkToAnOwnFileLeadsTo) {
   const TemporaryFolder other, folder;
-  write_field(made_field(), other.path());
+  write_field(made_field(), folder.path());
+  std::filesystem::rename(folder.path() / "field.vtu", other.path() / "field.vtu");
   std::filesystem::create_symlink(other.path() / "field.vtu", folder.path() / "field.vtu");
   EXPECT_EQ(refusal(folder.path()), "");
 }
@@ -153,9 +200,7 @@ TEST(ForeignFiles, AreReplacedOnlyOnRequest) {
 TEST(ForeignFiles, AreNoCompanions) {
   const TemporaryFolder folder;
   OutputOptions options;
-  options.companion = {"notes.txt", [](const Monitor&) -> CompanionFile::Writer {
-                         return [](const SolveReport&, const ByteSink& write) { write("text"); };
-                       }};
+  options.companion = notes();
   EXPECT_EQ(refusal(folder.path(), options), "");
   EXPECT_EQ(refusal(folder.path(), options), "");
   EXPECT_EQ(content_of(folder.path() / "notes.txt"), "text");
@@ -166,15 +211,13 @@ TEST(ForeignFiles, AreNoCompanions) {
 TEST(ForeignFiles, AreNotReachedByAListThatLeavesTheFolder) {
   const TemporaryFolder folder;
   const auto field = folder.path() / "field";
-  folder.write("notes.txt", "mine");
+  folder.write("notes.txt", "");
   write_field(made_field(), field);
-  std::string report = content_of(field / "report.json");
-  const std::string list =
-      R"("unmarked_files": [{"name": "../notes.txt", "bytes": 0, "checksum": ""}], "version")";
-  report.replace(report.find("\"version\""), 9, list);
-  folder.write("field/report.json", report);
+  SolveReport report = read_report(field / "report.json");
+  report.files.push_back({"../notes.txt", 0, "00000000"});
+  folder.write("field/report.json", sealed_report_json(report));
   EXPECT_EQ(refusal(field), "");
-  EXPECT_EQ(content_of(folder.path() / "notes.txt"), "mine");
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "notes.txt"));
 }
 
 TEST(FileMark, CountsOnlyNearTheBeginning) {

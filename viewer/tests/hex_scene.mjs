@@ -75,7 +75,7 @@ export function hexahedra_scene(inverted = true) {
         largest_distance_of_model: 0.1, largest_distance_of_model_place: [-10, 10, 0],
         way: "attempt 1 of 2: field on 8748 tets of 2, repaired",
       },
-      unmarked_files: [{ name: "hexahedra.hexex" }, { name: "onto.frames" }],
+      files: [{ name: "hexahedra.hexex" }, { name: "onto.frames" }],
       // The mesh lacks one of the faces that the model has.
       faces: [
         ...[1, 2, 3, 4].map((number) => ({ number, kind: "plane", area: 800, centre: [[-10, 0, 0], [10, 0, 0], [0, -10, 0], [0, 10, 0]][number - 1], quads: quads(number) })),

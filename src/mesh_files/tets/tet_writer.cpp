@@ -95,7 +95,7 @@ void write_msh(OutputFile& file, const TetMesh& mesh, const Monitor& monitor) {
   file.write("$EndElements\n");
 }
 
-constexpr std::array kWrittenTetFormats{MeshFormat<TetMesh>{".mesh", write_medit},
+constexpr std::array kWrittenTetFormats{MeshFormat<TetMesh>{".mesh", write_medit, SealForm::kText},
                                         MeshFormat<TetMesh>{".msh", write_msh}};
 
 const MeshFormat<TetMesh>& tet_format_of(const std::filesystem::path& path) {

@@ -144,7 +144,7 @@ export interface Report {
   onto?: { tets: number; singularity?: Singularity; normal_deg?: Statistics; crease_deg?: Statistics; unfollowed_share?: number };
   hexahedra?: HexReport;
   faces?: FaceEntry[];
-  unmarked_files?: { name: string }[];
+  files?: { name: string }[];
   warnings?: Warning[];
 }
 

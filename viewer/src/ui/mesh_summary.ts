@@ -175,9 +175,9 @@ function mesh_files({ outcome, scaled_jacobian }: HexReport): string[] {
 }
 
 /** The files that have the mesh, and its map. */
-function files_of({ hexahedra, unmarked_files = [] }: Report): string[] {
+function files_of({ hexahedra, files = [] }: Report): string[] {
   if (!hexahedra || hexahedra.hexahedra === 0) return [];
-  return [...new Set([...mesh_files(hexahedra), ...unmarked_files.map(({ name }) => name).filter((name) => name.startsWith(kMeshFileStart))])];
+  return [...new Set([...mesh_files(hexahedra), ...files.map(({ name }) => name).filter((name) => name.startsWith(kMeshFileStart))])];
 }
 
 /** The file with this ending that has the mesh; none if there is none. */
