@@ -15,11 +15,16 @@ namespace {
 // A signal handler can only access globals.
 std::atomic<Monitor*> monitor_of_signals = nullptr;
 std::atomic<std::int64_t> last_signal_ns = 0;
+std::atomic<std::int64_t> cancelled_ns = 0;
 std::atomic<bool> clears_line = false;
 std::atomic<bool> has_field = false;
 static_assert(std::atomic<Monitor*>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
 constexpr std::int64_t kSameSignal_ns = 100'000'000;
+
+/// Work that is cancelled ends within a second (docs/limits.md) and removes its partial files. Whoever keeps
+/// pressing Ctrl-C must not keep it from that.
+constexpr std::int64_t kTimeToEnd_ns = 3'000'000'000;
 
 std::int64_t now_ns() {
   timespec now{};
@@ -49,11 +54,14 @@ extern "C" void on_signal(int signal) {
   if (monitor == nullptr || (last != 0 && now - last < kSameSignal_ns)) {
     // Nothing to do.
   } else if (monitor->cancelled()) {
-    ::signal(signal, SIG_DFL);
-    ::raise(signal);
+    if (now - cancelled_ns.load() >= kTimeToEnd_ns) {
+      ::signal(signal, SIG_DFL);
+      ::raise(signal);
+    }
   } else if (monitor->may_be_stopped() && !monitor->stopped()) {
     stop(*monitor);
   } else {
+    cancelled_ns = now;
     monitor->cancel();
   }
   errno = error_before;

@@ -11,8 +11,8 @@ namespace crossgrain::app {
 
 /// While an object lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP act on a monitor. If stops are allowed
 /// (Monitor::allow_stops), the first signal stops it and the second cancels it; otherwise the first cancels
-/// it. Cancelling removes partial files. One more signal ends the process at once. Only one object may live
-/// at a time.
+/// it. Cancelling removes partial files. One more signal, three seconds later, ends the process at once. Only
+/// one object may live at a time.
 ///
 /// A signal within a tenth of a second of another counts as the same one: `timeout` and some batch systems
 /// signal the process and also its group, which contains it. Nobody presses keys that fast.

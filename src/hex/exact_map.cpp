@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain {
@@ -179,7 +180,9 @@ std::array<Int128, 4> weights_of(const std::array<ExactPoint, 4>& corners, const
 TetPart part_of(const std::array<ExactPoint, 4>& corners) {
   TetPart part;
   part.volume = six_volumes(corners[0], corners[1], corners[2], corners[3]);
+  Checkpoint checkpoint;
   for_each_grid_point(corners, [&](const ExactPoint& point) {
+    checkpoint.pass();
     TetPart::Cell cell{point, {}};
     bool meets = false;
     for (std::size_t k = 0; k < 4; ++k)

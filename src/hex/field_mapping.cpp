@@ -29,7 +29,11 @@ constexpr double kLeastShare = 0.2;
 
 std::vector<Foot> feet_of(const MapSurface& surface, const std::vector<Carrier>& carriers) {
   std::vector<Foot> feet;
-  for (const Carrier& carrier : carriers) feet.push_back(surface.foot_of(carrier));
+  Checkpoint checkpoint;
+  for (const Carrier& carrier : carriers) {
+    checkpoint.pass();
+    feet.push_back(surface.foot_of(carrier));
+  }
   return feet;
 }
 

@@ -62,8 +62,11 @@ class Extraction {
         parts_(tets_),
         first_cells_(tets_ + 1, 0),
         first_vertices_(tets_ + 1, 0) {
-    parallel_for(tets_,
-                 [&](std::size_t t) { parts_[t] = part_of(map.corners(static_cast<std::uint32_t>(t))); });
+    // Few tets may have many cells.
+    constexpr std::size_t kTetsAtATime = 16;
+    parallel_for(
+        tets_, [&](std::size_t t) { parts_[t] = part_of(map.corners(static_cast<std::uint32_t>(t))); },
+        kTetsAtATime);
     for (std::size_t t = 0; t < tets_; ++t) {
       first_cells_[t + 1] = first_cells_[t] + static_cast<std::uint32_t>(parts_[t].cells.size());
       first_vertices_[t + 1] = first_vertices_[t] + static_cast<std::uint32_t>(parts_[t].vertices.size());
@@ -309,8 +312,10 @@ class Extraction {
   std::vector<std::uint32_t> places_of(DisjointSets& corners) const {
     std::vector<std::uint32_t> places(first_vertices_.back(), kNone);
     std::vector<std::pair<int, bool>> ranks(places.size());
+    Checkpoint checkpoint;
     for (std::uint32_t t = 0; t < tets_; ++t) {
       for (std::uint32_t v = 0; v < parts_[t].vertices.size(); ++v) {
+        checkpoint.pass();
         const auto& weights = parts_[t].vertices[v].weights;
         const std::pair rank(static_cast<int>(4 - std::count(weights.begin(), weights.end(), 0)),
                              parts_[t].volume < 0);

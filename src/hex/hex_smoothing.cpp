@@ -169,7 +169,10 @@ struct Score {
   double shape = 0;
 };
 
-/// The shape is the least scaled Jacobian, as far as it is below 0.5, and half of the mean.
+/// Of the score, below which a round is in vain.
+constexpr double kLeastGain = 1e-3;
+
+/// The shape is the least scaled Jacobian, as far as it is below 0.5, and half of the mean: at most 1.
 Score score_of(const HexMesh& mesh) {
   constexpr double kGoodEnough = 0.5, kMeanWeight = 0.5;
   const std::vector<double> quality = scaled_jacobians(mesh);
@@ -210,6 +213,9 @@ class Smoothing {
 
   bool is_valid() const { return best_score_.good == best.hexahedra.size(); }
 
+  /// Whether a round could be a gain: of cubes there is none.
+  bool may_gain() const { return !is_valid() || best_score_.shape + kLeastGain < 1; }
+
   /// Rounds from the best mesh on; vertices that are `loose` may leave the surface.
   /// `share` of the smoothing is done before it, and another `own_share` after it.
   void run(double power, const std::vector<bool>& loose, double share, double own_share);
@@ -236,15 +242,16 @@ Vector3 Smoothing::held(std::size_t vertex, const Vector3& point, bool is_loose)
 }
 
 void Smoothing::run(double power, const std::vector<bool>& loose, double share, double own_share) {
+  tell_watched(Phase::kSmooth, share);
+  if (!may_gain()) return;
   HexMesh mesh = best;
   ShapeEnergy energy(mesh, size_, power);
-  constexpr double kLeastGain = 1e-3;  // of the score, below which a round is in vain
   constexpr int kRoundsInVain = 6;
   double epsilon = first_epsilon(energy.least_determinant());
   std::vector<Foot> feet;
   for (std::size_t v = 0; v < feet_.size(); ++v) feet.push_back(foot(v, loose));
   int in_vain = 0;
-  for (int round = 0; round < options_.rounds && in_vain < kRoundsInVain; ++round) {
+  for (int round = 0; round < options_.rounds && in_vain < kRoundsInVain && may_gain(); ++round) {
     tell_watched(Phase::kSmooth, share + own_share * round / options_.rounds);
     const Freedom freedom(mesh, surface_, feet);
     const Descent descent =

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
 
 namespace crossgrain {
 namespace {
@@ -41,7 +42,11 @@ std::vector<Use> uses_of(const HexMesh& mesh) {
       uses.push_back(use);
     }
   }
-  std::ranges::stable_sort(uses, {}, &Use::sorted);
+  Checkpoint checkpoint;
+  std::ranges::stable_sort(uses, [&](const Use& a, const Use& b) {
+    checkpoint.pass();
+    return a.sorted < b.sorted;
+  });
   return uses;
 }
 
@@ -64,7 +69,9 @@ void find_boundary(const HexMesh& mesh, HexTopology& topology) {
 
 std::map<Edge, std::vector<std::uint32_t>> boundary_edges(const HexTopology& topology) {
   std::map<Edge, std::vector<std::uint32_t>> edges;
+  Checkpoint checkpoint;
   for (std::uint32_t f = 0; f < topology.boundary.size(); ++f) {
+    checkpoint.pass();
     const Quad& quad = topology.boundary[f].vertices;
     for (std::size_t k = 0; k < 4; ++k) edges[edge_of(quad[k], quad[(k + 1) % 4])].push_back(f);
   }
@@ -134,8 +141,13 @@ HexTopology topology_of(const HexMesh& mesh) {
   uses.reserve(kHexEdges.size() * mesh.hexahedra.size());
   for (const auto& hexahedron : mesh.hexahedra)
     for (const auto& [a, b] : kHexEdges) uses.push_back(edge_of(hexahedron[a], hexahedron[b]));
-  std::ranges::sort(uses);
+  Checkpoint checkpoint;
+  std::ranges::sort(uses, [&](const Edge& a, const Edge& b) {
+    checkpoint.pass();
+    return a < b;
+  });
   for (std::size_t k = 0; k < uses.size();) {
+    checkpoint.pass();
     std::size_t end = k;
     while (end < uses.size() && uses[end] == uses[k]) ++end;
     auto& valences = outer.contains(uses[k]) ? topology.boundary_valences : topology.inner_valences;

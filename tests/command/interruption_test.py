@@ -1,15 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Signals to `solve`: the first leaves the last level that is finished, the second nothing."""
+"""Signals to `solve` and `hex`: the first leaves the last level or mesh that is finished, the second nothing."""
 
 import json
+import shutil
 import signal
 import subprocess
 import time
 import unittest
 
 from field_reader import Field
-from program import PROGRAM, CommandTest, by_night, medit_text, stl_bytes, tet_box, torus_triangles, without_solve
+from program import NIGHTLY, PROGRAM, TIME_LIMIT, CommandTest, box_triangles, by_night, medit_text, stl_bytes, tet_box, torus_triangles, without_solve
 
 INTERRUPTED = 130
 
@@ -199,6 +200,57 @@ class Cancelled(InterruptionTest):
         code, _, errors = solve.end()
         self.assertEqual(code, INTERRUPTED, errors)
         self.assertEqual(self.names(), ["torus.stl"])
+
+
+class OfHexahedra(InterruptionTest):
+    STAGES = ("read", "grid", "tets", "repair", "map", "hexahedra", "smooth", "write")
+    # Far beyond the second that is promised, since the machine may be busy, and far below what the work takes by night.
+    SECONDS = 15
+
+    def setUp(self):
+        super().setUp()
+        self.write("box.mesh", medit_text(*tet_box((3, 3, 4), (3.0, 3.0, 4.0))))
+        # A million hexahedra by night.
+        self.size = 0.03 if NIGHTLY else 0.1
+
+    def interrupted_at(self, stage, *arguments, pause=0.0, signals=1, number=signal.SIGINT):
+        """The exit code, once that many signals have followed the begin of a stage; nothing half written is left."""
+        shutil.rmtree(self.folder / "out", ignore_errors=True)
+        command = [PROGRAM, "hex", *map(str, arguments), "-o", "out", "--progress", "json"]
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, cwd=self.folder)
+        self.addCleanup(lambda: process.poll() is None and process.kill())
+        for line in process.stderr:
+            # A stage of less than a tenth of a second may not be told.
+            if line.startswith(b"{") and json.loads(line).get("phase") in self.STAGES[self.STAGES.index(stage):]:
+                break
+        time.sleep(pause)
+        for k in range(signals):
+            time.sleep(APART if k > 0 else 0)
+            process.send_signal(number)
+        start = time.monotonic()
+        process.communicate(timeout=TIME_LIMIT)
+        self.assertLess(time.monotonic() - start, self.SECONDS)
+        self.assertEqual([name for name in self.names() if name.startswith(".")], [])
+        self.assertEqual("out" in self.names(), process.returncode == 0)
+        return process.returncode
+
+    def test_end_in_each_stage_and_leave_nothing_half_written(self):
+        for stage in self.STAGES[:-1]:
+            with self.subTest(stage):
+                code = self.interrupted_at(stage, "box.mesh", "--size", self.size)
+                # With a mesh, the first signal lets it be written.
+                self.assertIn(code, (0, INTERRUPTED) if stage == "smooth" else (INTERRUPTED,))
+
+    def test_end_while_tets_are_made(self):
+        self.write("box.stl", stl_bytes(box_triangles((1.0, 1.0, 1.0))))
+        self.assertEqual(self.interrupted_at("read", "box.stl", "--size", 0.05, "--tet-size", 0.03, pause=0.5), INTERRUPTED)
+
+    def test_leave_nothing_however_many_signals_come_while_they_are_written(self):
+        for number in SIGNALS[:2]:
+            with self.subTest(signal=number.name):
+                code = self.interrupted_at("write", "box.mesh", "--size", self.size, signals=4, number=number)
+                # By day all may be written before the second one.
+                self.assertIn(code, (INTERRUPTED,) if NIGHTLY else (0, INTERRUPTED))
 
 
 class OnTets(InterruptionTest):

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "measure/hex_quality.hpp"
@@ -80,6 +81,18 @@ double least_jacobian(const HexMesh& mesh) {
 TEST(HexSmoothing, LeavesAGridOfCubesToTheBit) {
   const GridInABox grid;
   EXPECT_EQ(grid.smooth(grid.mesh).vertices, grid.mesh.vertices);
+}
+
+TEST(HexSmoothing, OfCubesTakesNoRound) {
+  const GridInABox grid;
+  std::size_t tells = 0;
+  const Monitor monitor([&](const Progress&) { ++tells; });
+  const WatchedLoops watched(monitor, Stops::kHeeded);
+  const HexSmoothingOptions options;
+  grid.smooth(grid.mesh, options);
+  EXPECT_EQ(tells, options.powers.size());
+  grid.smooth(grid.disturbed(0.2), options);
+  EXPECT_GT(tells, 2 * options.powers.size());
 }
 
 TEST(HexSmoothing, MakesNearlyCubesOfADisturbedGrid) {
