@@ -31,6 +31,7 @@
 #include "output.hpp"
 #include "output_places.hpp"
 #include "progress_lines.hpp"
+#include "results/result_files.hpp"
 #include "solve/tuned_solve.hpp"
 #include "summary.hpp"
 
@@ -279,6 +280,16 @@ std::shared_ptr<const Hexahedra> made_hexahedra(const Job& job, const HexMeshing
   }
 }
 
+/// Throws what reading a model says that is none. That comes before what its folder is called: of plate.png
+/// or plate.hexahedra the default one belongs to another model.
+void check_is_model(const std::string& model) {
+  if (may_be_model(model)) return;
+  if (is_tet_file(model))
+    read_tets(model);
+  else
+    read_surface(model);
+}
+
 /// Makes hexahedra of the model.
 Solved meshed(const Job& job) {
   const SolveArguments& arguments = job.arguments;
@@ -422,6 +433,7 @@ void help_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
 int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   const auto start = Clock::now();
   const ThreadLimit thread_limit(arguments.options.threads);
+  check_is_model(arguments.model);
   const auto reservation = reserve_output_folder(arguments);
   SolveReport report;
   std::set<std::string> warned;

@@ -166,6 +166,11 @@ bool may_exist(const fs::path& path) {
   return fs::status(path, unknown).type() != fs::file_type::not_found;
 }
 
+bool may_be_model(const fs::path& path) {
+  std::error_code unknown;
+  return fs::is_regular_file(path, unknown) && is_model_file(path);
+}
+
 bool is_own_file(const fs::path& path) {
   return has_mark(path);
 }

@@ -26,6 +26,9 @@ std::vector<std::string> hexahedra_files(const OutputOptions& options);
 /// Returns false if there is certainly no such file. If the system does not tell, reading it will say why.
 bool may_exist(const std::filesystem::path& path);
 
+/// Returns whether there is a regular file with an extension that a reader of models has.
+bool may_be_model(const std::filesystem::path& path);
+
 /// Throws Error(kInput) unless there is a folder of this name.
 void check_is_folder(const std::filesystem::path& folder);
 

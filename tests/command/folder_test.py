@@ -10,6 +10,7 @@ import unittest
 
 from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
 
+INPUT = 3
 OUTPUT = 4
 RESOLUTION = ("--resolution", "8")
 EVERY_FORMAT = "fra,perm,frame,quaternions,features"
@@ -258,6 +259,12 @@ class FieldsOfOtherModels(FolderTest):
         self.assertEqual(self.contents("box.frames"), before)
         self.assert_succeeds(self.solve("box.mesh", "--force"))
         self.assertIn("onto.vtu", self.contents("box.frames"))
+
+    def test_are_not_what_is_wrong_with_a_model_that_is_none(self):
+        self.assert_succeeds(self.solve("box.stl"))
+        self.write("box.png", "a picture")
+        self.assert_fails(self.solve("box.png"), INPUT, "box.png: no reader for '.png' files")
+        self.assert_fails(self.solve("box.frames"), INPUT, "box.frames: is a folder")
 
     def test_are_replaced_in_a_folder_that_was_named_which_is_said(self):
         self.assert_succeeds(self.solve("box.stl", "-o", "out"))
