@@ -16,6 +16,9 @@ using Singularity = FieldAnalysis::Singularity;
 /// of some degrees, and parts of regular corners have 45 or more.
 constexpr double kTaperingDeg = 30;
 
+/// Of faces without a number, which no list has.
+constexpr std::int32_t kUntagged = 0;
+
 /// Number of faces that are named.
 constexpr std::size_t kMostNamed = 4;
 
@@ -24,8 +27,9 @@ bool tapers(const Singularity::Corner& corner) {
 }
 
 std::string tapering(const std::vector<std::int32_t>& faces, const FaceNoun& noun) {
-  if (faces.empty()) return fmt::format("a {} tapers to nothing", noun.one);
+  if (faces.empty() || faces.front() == kUntagged) return fmt::format("a {} tapers to nothing", noun.one);
   std::string text = fmt::format("{} {} tapers to nothing", noun.one, faces.front());
+  if (std::ranges::find(faces, kUntagged) != faces.end()) return text;
   if (faces.size() == 2) text += fmt::format(" beside {} {}", noun.one, faces.back());
   if (faces.size() > 2) text += between({faces.back(), faces[1]}, noun);
   return text;
@@ -51,7 +55,7 @@ FaceNoun noun_of(const std::vector<ModelFace>& faces) {
 std::string words_of_faces(const std::vector<std::int32_t>& faces, const FaceNoun& noun) {
   std::vector<std::int32_t> named;
   for (const std::int32_t face : faces)
-    if (std::ranges::find(named, face) == named.end()) named.push_back(face);
+    if (face != kUntagged && std::ranges::find(named, face) == named.end()) named.push_back(face);
   if (named.empty()) return "";
   if (named.size() == 1) return fmt::format("{} {}", noun.one, named.front());
   const std::size_t count = named.size();
@@ -74,7 +78,8 @@ std::string fault_of(const Singularity::Crease& crease, const FaceNoun& noun) {
 
 std::string fault_of(const Singularity::Corner& corner, const FaceNoun& noun) {
   if (tapers(corner)) return tapering(corner.faces, noun);
-  const std::string where = corner.faces.empty() ? "" : " of " + words_of_faces(corner.faces, noun);
+  const std::string faces = words_of_faces(corner.faces, noun);
+  const std::string where = faces.empty() ? "" : " of " + faces;
   if (corner.creases.empty())
     return fmt::format("no hexahedra fit at a point of the surface{} where {} {}", where,
                        counted(corner.arcs.size(), "singular line"),

@@ -231,7 +231,9 @@ class Mender {
     } else if (count(FindingKind::kOneSidedSheet) > 0) {
       what = "it is a one-sided sheet of " + all + ", such as a Moebius band";
     } else if (count(FindingKind::kStrayFacet) > 0) {
-      what = "it is " + all + " that meet at edges and lie around no volume";
+      what =
+          "it is " + all +
+          (triangles == 1 ? " that lies around no volume" : " that meet at edges and lie around no volume");
     } else {
       what = "it is an open sheet of " + all;
     }

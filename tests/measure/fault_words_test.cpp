@@ -16,6 +16,21 @@ TEST(WordsOfFaces, AreTheirNumbersEachOnce) {
   EXPECT_EQ(words_of_faces({1, 2, 3, 4, 5, 6}, kFace), "faces 1, 2, 3, 4 and 2 others");
 }
 
+TEST(WordsOfFaces, LeaveOutThoseWithoutANumber) {
+  EXPECT_EQ(words_of_faces({0}, kFace), "");
+  EXPECT_EQ(words_of_faces({0, 4}, kFace), "face 4");
+  FieldAnalysis::Singularity::Corner corner;
+  corner.narrowest_deg = 60;
+  corner.faces = {0};
+  corner.creases = {1, 1, 1, 1};
+  EXPECT_EQ(fault_of(corner, kFace), "no hexahedra fit in a corner where 4 convex edges meet");
+  corner.narrowest_deg = 2;
+  corner.faces = {4, 0, 5};
+  EXPECT_EQ(fault_of(corner, kFace), "face 4 tapers to nothing");
+  corner.faces = {0, 4, 5};
+  EXPECT_EQ(fault_of(corner, kFace), "a face tapers to nothing");
+}
+
 TEST(WordsOfFaces, CallThoseOfASurfaceOfTrianglesPatches) {
   EXPECT_EQ(words_of_faces({7}, noun_of({{.number = 7, .kind = FaceKind::kPatch}})), "patch 7");
   EXPECT_EQ(words_of_faces({7, 8}, noun_of({{.number = 7, .kind = FaceKind::kPatch}})), "patches 7 and 8");

@@ -91,7 +91,7 @@ export function mesh_numbers(report: Report, scene: Scene | null): HTMLElement[]
   const unit = report.model?.unit ? ` ${report.model.unit}` : "";
   const list = element("dl", { class: "numbers", "data-testid": "numbers" });
   const { size, used_size, scaled_jacobian: shapes } = mesh;
-  if (used_size) list.append(number("Size of hexahedra", `${measured(used_size)}${unit}`, size ? (size === used_size ? "as asked for" : `${measured(size)}${unit} asked for`) : "", "number-size"));
+  if (used_size) list.append(number("Size of hexahedra", `${measured(used_size)}${unit}`, size && size !== used_size ? `not ${measured(size)}${unit}` : "", "number-size"));
   list.append(number("Hexahedra", counted(mesh.hexahedra), expected_text(mesh), "number-hexahedra"));
   if (shapes && mesh.hexahedra > 0) list.append(number("Worst scaled Jacobian", shape_text(shapes.min), [worst_number(mesh, scene), `${measured(shapes.mean, 2)} in the mean`].filter(Boolean).join(", "), "number-worst"));
   if (report.seconds?.total !== undefined) list.append(number("Time", duration(report.seconds.total), report.peak_memory_bytes ? memory(report.peak_memory_bytes) : ""));
@@ -100,10 +100,10 @@ export function mesh_numbers(report: Report, scene: Scene | null): HTMLElement[]
   return [list, element("dl", { class: "facts" }, ...told.flatMap(([name, text, test]) => [element("dt", {}, name), element("dd", { "data-testid": test }, text)]))];
 }
 
-/** How many were expected at the size asked for. */
+/** How many were expected before the work, at the size given or by default. */
 function expected_text({ expected }: HexReport): string {
   if (!expected) return "";
-  return `about ${measured(Number(Math.max(1, expected).toPrecision(2)), 2)} at the size asked for`;
+  return `about ${measured(Number(Math.max(1, expected).toPrecision(2)), 2)} expected`;
 }
 
 function worst_number({ scaled_jacobian: shapes }: HexReport, scene: Scene | null): string {

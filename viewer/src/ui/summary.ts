@@ -141,7 +141,7 @@ export function about(report: Report): HTMLElement {
   if (model.triangles !== undefined) facts.push(["Surface", `${plural(model.triangles, "triangle")}${model.components && model.components > 1 ? `, ${model.components} components` : ""}${model.watertight === false ? ", not watertight" : ""}`]);
   if (report.resolution !== undefined) facts.push(["Resolution", `${amount(report.resolution, "cell", 4)} along the longest side`]);
   if (report.degree) facts.push(["Harmonics", `degree ${report.degree}`]);
-  if (report.walls?.thinnest_cells) facts.push(["Thinnest wall", amount(report.walls.thinnest_cells, "cell")]);
+  if (report.walls?.thinnest_cells && !report.hexahedra) facts.push(["Thinnest wall", amount(report.walls.thinnest_cells, "cell")]);
   if (report.version) facts.push(["Crossgrain", report.version]);
   return element("section", { class: "block" },
     element("h2", {}, "About this field"),
