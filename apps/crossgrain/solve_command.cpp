@@ -170,21 +170,6 @@ std::string expected_line(const Expectation& expected) {
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
-/// Returns the size of tets, with the rule if that was not followed.
-std::string text_of(const HexExpectation::TetSize& size) {
-  if (size.used == 0) return "";
-  const std::string text = fmt::format(" of {:.3g} (--tet-size)", size.used);
-  if (size.dropped == 0) return text;
-  return text + fmt::format(", since {:.3g} makes {}", size.dropped, size.dropped_tets);
-}
-
-std::string expected_line(const HexExpectation& expected) {
-  const auto hexahedra = static_cast<std::size_t>(std::llround(std::max(1.0, expected.hexahedra)));
-  return fmt::format("expected   about {} of {:.3g}, along a field on {}{}\n",
-                     counted(hexahedra, "hexahedron", "hexahedra"), expected.size,
-                     counted(expected.tets, "tet"), text_of(expected.tet_size));
-}
-
 /// Rows about corners and knife edges of the model that leave room for no hexahedra along its first field:
 /// later attempts may fill the model all the same, then with poor hexahedra there as a rule.
 std::string risk_lines(const Answer& answer) {
@@ -307,7 +292,7 @@ Solved meshed(const Job& job) {
     if (arguments.quiet) return;
     if (job.lines != nullptr) job.lines->expect(expected);
     job.leave_line();
-    print_result(expected_line(expected));
+    print_result(row("expected", sentence_of(expected)));
   };
   options.on_answer = [&](const Answer& answer) {
     const std::string lines = risk_lines(answer);

@@ -306,6 +306,20 @@ std::string line_of(const HexReport& hexahedra, const SolveArguments& arguments)
   return sentence_of(hexahedra, remedy_of(hexahedra, arguments));
 }
 
+std::string sentence_of(const HexExpectation& expected) {
+  const auto hexahedra = static_cast<std::size_t>(std::llround(std::max(1.0, expected.hexahedra)));
+  std::string text =
+      fmt::format("about {} of {:.3g}, along a field on {}", counted(hexahedra, "hexahedron", "hexahedra"),
+                  expected.size, counted(expected.tets, "tet"));
+  const auto& [used, dropped, dropped_tets] = expected.tet_size;
+  if (used == 0) return text;
+  text += fmt::format(" of {:.3g} (--tet-size)", used);
+  if (dropped == 0) return text;
+  if (dropped_tets <= expected.tets)
+    return text + fmt::format(", as many as of {:.3g}: the model's surface sets their number", dropped);
+  return text + fmt::format(", since {:.3g} makes {}", dropped, dropped_tets);
+}
+
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
   std::string text = report.hexahedra ? hexahedra_rows(report, arguments) : field_rows(report, arguments);
   text += warning_rows(report, arguments);

@@ -37,6 +37,10 @@ bool is_unsettled(const Warning& warning);
 /// work.
 bool is_of_reading(const Warning& warning);
 
+/// Returns what to expect of hexahedra: "about 97 hexahedra of 3.05, along a field on 12561 tets of 17.1
+/// (--tet-size)", with the rule for the size of tets if that was not followed.
+std::string sentence_of(const HexExpectation& expected);
+
 /// Whether the first row of the summary says it, that solids touch or overlap.
 bool is_said(const Warning& warning, const SolveReport& report);
 

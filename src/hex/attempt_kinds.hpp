@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// HexAttempt::kind of attempts at a part of the model.
+inline constexpr const char* kPartOfModel = "part of the model";
+
 /// Attempts at the repairs of the field that a round starts from, each mapped if all its arcs have a length:
 /// repairs without faults first, the best first; then what faults become when they wander; two at the same
 /// time, until one fills the model. A field that is repaired already is the only attempt.

@@ -78,7 +78,8 @@ void AttemptQueue::tell_ends(const AttemptKind* next) {
       ends_.back().over = why_over();
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       HexAttemptEnd& end = ends_[k];
-      if (k + 1 < ends_.size()) end.next = plan_ + ", at the same time";
+      if (k + 1 < ends_.size())
+        end.next = fmt::format("{} (attempt {}, which ran beside this one)", plan_, ends_[k + 1].attempt);
       end.tets = round_ + 1;
       end.most_tets = most_rounds();
       on_end_(end);

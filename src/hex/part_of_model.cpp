@@ -11,7 +11,7 @@ class PartOfModel : public AttemptKind {
  public:
   explicit PartOfModel(const HexTuning& tuning) : tuning_(tuning) {}
 
-  const char* name() const override { return "part of the model"; }
+  const char* name() const override { return kPartOfModel; }
   bool is_last_resort() const override { return true; }
 
   std::optional<Turn> next(const AttemptQueue& queue) const override {

@@ -9,6 +9,8 @@
 
 #include "command_line.hpp"
 #include "messages.hpp"
+#include "progress_lines.hpp"
+#include "summary.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -55,6 +57,33 @@ TEST(WordsOfARemedy, OfOtherCommandsNameOptionsOfOneOfThem) {
         found |= has_option(line.app, command, option);
       EXPECT_TRUE(found) << option;
     }
+}
+
+TEST(WhatToExpect, GivesTheReasonForTetsOfAnotherSize) {
+  HexExpectation expected{12561, 3.05, 97.2, {17.1, 0, 0}};
+  const std::string begin = "about 97 hexahedra of 3.05, along a field on 12561 tets of 17.1 (--tet-size)";
+  EXPECT_EQ(sentence_of(expected), begin);
+  expected.tet_size = {17.1, 4.27, 53717};
+  EXPECT_EQ(sentence_of(expected), begin + ", since 4.27 makes 53717");
+  expected.tet_size.dropped_tets = 12561;
+  EXPECT_EQ(sentence_of(expected), begin + ", as many as of 4.27: the model's surface sets their number");
+}
+
+TEST(LinesOfAttempts, DoNotRepeatAFaultThatIsAtAnotherPlace) {
+  testing::internal::CaptureStderr();
+  {
+    ProgressLines lines(ProgressForm::kLines, false);
+    HexAttemptEnd end;
+    const std::string fault = "layers of hexahedra are folded";
+    for (const char* place : {" at 1 2 3", " at -1 2 3", " at -1 2 3"}) {
+      ++end.attempt;
+      end.text = fault + place;
+      lines.end_attempt(end);
+    }
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "attempt 1: layers of hexahedra are folded at 1 2 3\nattempt 2: the same at -1 2 3\n"
+            "attempt 3: ends as attempt 2 did\n");
 }
 
 TEST(WordsOfARemedy, HaveItsNumber) {
