@@ -9,8 +9,16 @@
 #include "base/vector3.hpp"
 #include "surface/bvh.hpp"
 #include "surface/surface.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
+
+double hexahedra_in(const TetSolid& tets, double size) {
+  TriangleMesh boundary;
+  boundary.vertices = tets.mesh.vertices;
+  boundary.triangles = tets.boundary;
+  return expected_hexahedra(boundary, volume_of(tets.mesh), size);
+}
 
 double expected_hexahedra(const TriangleMesh& boundary, double volume, double size) {
   const Surface surface = prepare_surface(CheckedMesh::derived(boundary));

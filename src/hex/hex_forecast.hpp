@@ -3,12 +3,16 @@
 #pragma once
 
 #include "crossgrain/types.hpp"
+#include "tets/tet_solid.hpp"
 
 namespace crossgrain {
 
 /// Hexahedra whose tets are not too many to be made: a third of the 20 million that make_tets allows, whose
 /// edges are 1.4 times as long.
 inline constexpr double kMostHexahedra = 6.5e6;
+
+/// Returns about how many hexahedra of a size fill tets, as below.
+double hexahedra_in(const TetSolid& tets, double size);
 
 /// Returns about how many hexahedra of a size fill a solid: its volume in cubes, and what is missing to one
 /// layer where it is thinner than a hexahedron, since a map keeps one across every wall:

@@ -14,6 +14,7 @@
 #include "base/names.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/place.hpp"
+#include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/model_fit.hpp"
 #include "hex/untried_tets.hpp"
@@ -236,6 +237,9 @@ std::string end_of(const HexCandidate& candidate, double least_quality) {
   if (candidate.made) report.quality = candidate.made->quality;
   if (report.outcome != HexOutcome::kAllHex) {
     if (!candidate.followed) return "no mesh";
+    const std::size_t of_part = candidate.made ? candidate.made->mesh.hexahedra.size() : 0;
+    if (candidate.attempt.kind == kPartOfModel && of_part > 0)
+      return counted(of_part, "hexahedron fills", "hexahedra fill") + " a part of the model";
     explain(candidate, {}, report);
     return report.reason;
   }

@@ -43,9 +43,18 @@ void add_tags(const TetSolid& solid, const MapSurface& surface, const std::vecto
   }
 }
 
-/// Adds the quads of faces, and what they and the fit say of hexahedra that fill the model.
-void add_faces(const HexMesh& mesh, const TetSolid& solid, const HexReport& report, SolveReport& whole) {
-  count_quads(mesh, whole.faces);
+/// One size for all that is too coarse: that for the volume, and for faces without quads where it is not much
+/// less. Half of a size makes eight times as many hexahedra.
+void choose_size(const std::vector<ModelFace>& faces, const TetSolid& solid, HexReport& report) {
+  constexpr double kLeastOfSize = 0.5;
+  if (report.remedy != Remedy::kUseHexSize) return;
+  double& size = report.remedy_number;
+  if (const auto other = size_for_faces(faces, solid, report); other && *other >= kLeastOfSize * size)
+    size = std::min(size, *other);
+}
+
+/// Adds what faces without quads and the fit say of hexahedra that fill the model.
+void warn_of_fit(const TetSolid& solid, const HexReport& report, SolveReport& whole) {
   if (report.outcome == HexOutcome::kPartial || report.outcome == HexOutcome::kNone) return;
   for (std::optional<Warning>& warning :
        std::array{faces_without_quads(whole.faces, solid, report), poor_fit(report)})
@@ -97,6 +106,8 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   judge_solids(mesh, field.domain(), contacts, report, whole);
   if (report.outcome == HexOutcome::kAllHex)
     explain_poor(mesh, queue.attempts(), queue.least_quality(), report);
+  count_quads(mesh, whole.faces);
+  choose_size(whole.faces, followed.solid(), report);
   const bool is_up_to_solids = report.outcome == HexOutcome::kFlawed && best.made->are_complete();
   if (queue.is_stopped() && !is_up_to_solids) report.remedy = Remedy::kLetFinish;
   report.attempts = queue.attempts();
@@ -108,7 +119,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.extraction_seconds = seconds.extraction;
   report.smoothing_seconds = seconds.smoothing;
   report.analysis_seconds = stopwatch.restart();
-  add_faces(mesh, followed.solid(), report, whole);
+  warn_of_fit(followed.solid(), report, whole);
   if (queue.limit() && report.outcome != HexOutcome::kAllHex)
     whole.warnings.push_back(ended_at(*queue.limit()));
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);

@@ -126,18 +126,43 @@ const char* words_of(FaceKind kind) {
   return kWords.at(static_cast<std::size_t>(kind));
 }
 
-/// What to do about hexahedra that are larger than a width.
-struct Smaller {
-  std::string words;
-  Remedy remedy = Remedy::kTakeSmallerHexahedra;
-};
+/// Faces without quads, the largest first.
+std::vector<ModelFace> bare_faces(const std::vector<ModelFace>& faces) {
+  std::vector<ModelFace> bare;
+  for (const ModelFace& face : faces)
+    if (face.quads == std::size_t{0}) bare.push_back(face);
+  std::stable_sort(bare.begin(), bare.end(),
+                   [](const ModelFace& a, const ModelFace& b) { return a.area > b.area; });
+  return bare;
+}
 
-Smaller smaller_for(double width, double model_volume) {
-  if (!(width > 0) || !(model_volume > 0)) return {};
-  const double size = rounded_down(width, 2), count = model_volume / size / size / size;
-  const std::string words = fmt::format("; a size of {:g} fits across, {} of them", size, about(count));
-  if (count > kMostHexahedra) return {words + ", more than are made", Remedy::kNone};
-  return {words};
+std::vector<double> widths_of(const std::vector<ModelFace>& faces, const TetSolid& tets) {
+  const std::vector<std::int32_t> tags = tags_of_faces(tets.mesh, tets.boundary);
+  std::vector<double> widths;
+  for (const ModelFace& face : faces) widths.push_back(width_of(face, tets, tags));
+  return widths;
+}
+
+/// The size that fits across all of some widths, of two digits; 0 if hexahedra are not larger than all, or if
+/// a width is unknown.
+double size_across(const std::vector<double>& widths, double used_size) {
+  if (widths.empty() || *std::ranges::max_element(widths) >= used_size) return 0;
+  const double narrowest = *std::ranges::min_element(widths);
+  return narrowest > 0 ? rounded_down(narrowest, 2) : 0;
+}
+
+/// Whether so many hexahedra are not made whatever walls add to them.
+bool are_too_many(double size, double model_volume) {
+  return model_volume / size / size / size > kMostHexahedra;
+}
+
+/// What a size that fits across faces would make. No order to take it: finer hexahedra fail more often.
+std::string words_of_size_across(double size, const TetSolid& tets, const HexReport& report) {
+  if (size == 0 || !(report.model_volume > 0)) return "";
+  const std::string words = fmt::format("; those of {:g} would fit across", size);
+  if (are_too_many(size, report.model_volume)) return words + ", but so many are not made";
+  const double count = hexahedra_in(tets, size);
+  return words + fmt::format(" ({}), but finer ones may have no mesh", about(count));
 }
 
 double volume_missed(const HexReport& report) {
@@ -199,37 +224,36 @@ void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces) {
 
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
                                            const HexReport& report) {
-  std::vector<ModelFace> bare;
-  for (const ModelFace& face : faces)
-    if (face.quads == std::size_t{0}) bare.push_back(face);
+  const std::vector<ModelFace> bare = bare_faces(faces);
   if (bare.empty()) return std::nullopt;
-  std::stable_sort(bare.begin(), bare.end(),
-                   [](const ModelFace& a, const ModelFace& b) { return a.area > b.area; });
-  const std::vector<std::int32_t> tags = tags_of_faces(tets.mesh, tets.boundary);
+  const std::vector<double> widths = widths_of(bare, tets);
   const FaceNoun noun = noun_of(bare);
   std::string text =
       fmt::format("{} of the model {} no quads: ", counted(bare.size(), noun.one, noun.several),
                   bare.size() == 1 ? "has" : "have");
-  double narrowest = report.used_size;
-  bool are_narrow = true;
   const double extent = longest_side(box_of(tets.mesh.vertices));
-  for (std::size_t k = 0; k < bare.size(); ++k) {
+  for (std::size_t k = 0; k < std::min(bare.size(), kMostNamed); ++k) {
     const ModelFace& face = bare[k];
-    const double width = width_of(face, tets, tags);
-    are_narrow = are_narrow && width < report.used_size;
-    narrowest = std::min(narrowest, width);
-    if (k >= kMostNamed) continue;
     const bool is_patch = face.kind == FaceKind::kPatch;
     text += fmt::format("{}{} {}{} of area {:.3g}", k > 0 ? "; " : "", noun.one, face.number,
                         is_patch ? "" : fmt::format(", {}", words_of(face.kind)), face.area);
-    if (width > 0) text += fmt::format(" and about {:.2g} wide", width);
+    if (widths[k] > 0) text += fmt::format(" and about {:.2g} wide", widths[k]);
     text += ", around " + words_of_place(face.centre, extent);
   }
   if (bare.size() > kMostNamed) text += fmt::format("; and {} more", bare.size() - kMostNamed);
-  if (!are_narrow) return Warning(WarningKind::kFacesWithoutQuads, std::move(text));
-  text += fmt::format("; the hexahedra of {:.3g} are larger", report.used_size);
-  const Smaller smaller = smaller_for(narrowest, report.model_volume);
-  return Warning(WarningKind::kFacesWithoutQuads, text + smaller.words, smaller.remedy);
+  if (*std::ranges::max_element(widths) < report.used_size) {
+    text += fmt::format("; the hexahedra of {:.3g} are larger", report.used_size);
+    if (report.remedy != Remedy::kUseHexSize)
+      text += words_of_size_across(size_across(widths, report.used_size), tets, report);
+  }
+  return Warning(WarningKind::kFacesWithoutQuads, std::move(text));
+}
+
+std::optional<double> size_for_faces(const std::vector<ModelFace>& faces, const TetSolid& tets,
+                                     const HexReport& report) {
+  const double size = size_across(widths_of(bare_faces(faces), tets), report.used_size);
+  if (size == 0 || are_too_many(size, report.model_volume)) return std::nullopt;
+  return size;
 }
 
 std::string words_of_volume(const HexReport& report) {
@@ -261,8 +285,7 @@ std::optional<Warning> poor_fit(const HexReport& report) {
                                  distance, words_of_place(at, std::cbrt(report.model_volume)),
                                  distance / report.used_size));
   if (faults.empty()) return std::nullopt;
-  return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")),
-                 Remedy::kTakeSmallerHexahedra);
+  return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")));
 }
 
 }  // namespace crossgrain

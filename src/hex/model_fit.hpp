@@ -37,8 +37,14 @@ void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexRep
 /// Fills in ModelFace::quads of the faces that bound the model, unless the boundary has no tags.
 void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces);
 
-/// A warning with the list of faces that have no quads, and the size that fits across them if they are
-/// narrow; none if all have some. `tets` are tagged. The report has the size and the volume.
+/// Returns a size of hexahedra, of two digits, that fits across all faces without quads; none if all have
+/// some, if one is as wide as the hexahedra, and if the size makes too many (kMostHexahedra). `tets` are
+/// tagged. The report has the size and the volume.
+std::optional<double> size_for_faces(const std::vector<ModelFace>& faces, const TetSolid& tets,
+                                     const HexReport& report);
+
+/// A warning with the list of faces that have no quads, and the size that fits across them if there is one,
+/// unless the report names a size already; none if all have some. `tets` and report as above.
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
                                            const HexReport& report);
 

@@ -19,11 +19,27 @@ namespace {
 
 /// Below it a scaled Jacobian is too poor for most solvers: as HexTuning::least_quality, below which the
 /// search goes on.
-constexpr double kPoorShape = 0.05;
+constexpr double kBadShape = 0.05;
+
+/// Below it a scaled Jacobian is poor: the least that meshes for finite elements are commonly asked to have.
+/// HexReport::Quality::below_fifth counts them.
+constexpr double kPoorShape = 0.2;
 
 /// A number of hexahedra is as expected within this factor: what a forecast from the volume keeps on solid
 /// parts.
 constexpr double kAsExpected = 2;
+
+/// Why smaller hexahedra than asked for were taken.
+const char* fault_of_larger(const HexReport& report, double expected) {
+  const char* fault = "larger ones would be turned inside out";
+  for (const HexAttempt& attempt : report.attempts) {
+    if (attempt.outcome != HexOutcome::kAllHex || attempt.size <= report.used_size) continue;
+    if (static_cast<double>(attempt.hexahedra) * kAsExpected >= expected)
+      return "larger ones would be badly shaped";
+    fault = "larger ones would be far fewer than expected";
+  }
+  return fault;
+}
 
 /// Returns number and size of hexahedra; of those that fill the model with what was expected where they are
 /// others, and why they are.
@@ -39,7 +55,7 @@ std::string sizes_of(const HexReport& report) {
         "{} of {:.3g}",
         is_whole ? std::to_string(report.hexahedra) : counted(report.hexahedra, "hexahedron", "hexahedra"),
         report.used_size);
-  const char* const reason = is_smaller ? "larger ones would be turned inside out"
+  const char* const reason = is_smaller ? fault_of_larger(report, expected)
                              : is_more  ? "each wall and gap has one across"
                                         : "the field leaves room for fewer";
   const double size = is_smaller ? report.used_size : std::cbrt(report.volume / made);
@@ -47,11 +63,31 @@ std::string sizes_of(const HexReport& report) {
                      is_smaller ? "" : " in the mean", expected, report.size, reason);
 }
 
+/// Returns about how many hexahedra of a smaller size are expected: the volume in cubes, and what walls
+/// thinner than a hexahedron added to the forecast before the work, which falls with the area of a
+/// hexahedron.
+double expected_at(const HexReport& report, double size) {
+  const double of_walls = report.expected - report.model_volume / std::pow(report.size, 3);
+  return report.model_volume / std::pow(size, 3) + std::max(0.0, of_walls) * std::pow(report.size / size, 2);
+}
+
 /// Adds to the size that is to be tried about how many hexahedra it makes.
 std::string with_count(const HexReport& report, const std::string& remedy_words) {
-  const double volume = report.model_volume;
-  if (report.remedy != Remedy::kUseHexSize || remedy_words.empty() || volume <= 0) return remedy_words;
-  return fmt::format("{} ({})", remedy_words, about(volume / std::pow(report.remedy_number, 3)));
+  if (report.remedy != Remedy::kUseHexSize || remedy_words.empty() || report.model_volume <= 0)
+    return remedy_words;
+  return fmt::format("{} ({})", remedy_words, about(expected_at(report, report.remedy_number)));
+}
+
+/// Returns what to do, or that nothing is known, where that is what a reader looks for.
+std::string remedy_of(const HexReport& report, const std::string& remedy_words) {
+  const bool is_wanting = report.outcome != HexOutcome::kAllHex || !report.reason.empty();
+  if (!is_wanting || !remedy_words.empty() || report.attempts.empty())
+    return with_count(report, remedy_words);
+  const bool has_made_tets =
+      std::ranges::any_of(report.attempts, [](const HexAttempt& attempt) { return attempt.tet_size > 0; });
+  if (!has_made_tets) return "tets of another size may help";
+  return std::string("no option is known to help; change the model") +
+         (report.places.empty() ? "" : " there");
 }
 
 /// Returns what a part of the model lacks: ", 1 cell left out near 1 2 3".
@@ -65,7 +101,7 @@ std::string lacking(const HexReport& report) {
 
 /// Says so of shapes that are too poor to compute on, where none is inverted.
 std::string words_of_shapes(const HexReport& report) {
-  if (report.hexahedra == 0 || report.quality.inverted > 0 || report.quality.least >= kPoorShape) return "";
+  if (report.hexahedra == 0 || report.quality.inverted > 0 || report.quality.least >= kBadShape) return "";
   return fmt::format("badly shaped: worst scaled Jacobian {:.2g}", report.quality.least);
 }
 
@@ -77,8 +113,9 @@ const char* name_of(HexOutcome outcome) {
 }
 
 std::string shapes_of(const HexReport::Quality& quality) {
-  return fmt::format("scaled Jacobian {:.2g} at {}, {:.2g} in the mean", quality.least,
-                     words_of_place(quality.worst_place), quality.mean);
+  const bool is_poor = quality.inverted == 0 && quality.least < kPoorShape;
+  return fmt::format("scaled Jacobian {:.2g}{} at {}, {:.2g} in the mean", quality.least,
+                     is_poor ? ", which is poor," : "", words_of_place(quality.worst_place), quality.mean);
 }
 
 std::string distances_of(const HexReport& report) {
@@ -87,8 +124,9 @@ std::string distances_of(const HexReport& report) {
   const double of_mesh = rounded(report.largest_distance),
                of_model = rounded(report.largest_distance_of_model);
   if (of_mesh == 0 && of_model == 0) return "nowhere off the surface";
-  std::array words{fmt::format("mesh up to {:.3g} off the surface", of_mesh),
-                   fmt::format("surface up to {:.3g} from the mesh", of_model)};
+  std::array words{
+      of_mesh == 0 ? "mesh on the surface" : fmt::format("mesh up to {:.3g} off the surface", of_mesh),
+      of_model == 0 ? "surface on the mesh" : fmt::format("surface up to {:.3g} from the mesh", of_model)};
   const bool is_of_model = of_model > of_mesh;
   if (!is_of_model) std::swap(words[0], words[1]);
   const Vector3& place = is_of_model ? report.largest_distance_of_model_place : report.largest_distance_place;
@@ -121,7 +159,7 @@ std::string sentence_of(const HexReport& report, const std::string& remedy_words
   if (report.hexahedra > 0) sizes = sizes_of(report);
   if (report.bodies > 1) sizes += fmt::format(" in {}", counted(report.bodies, "body", "bodies"));
   if (report.outcome == HexOutcome::kPartial) sizes += lacking(report);
-  const std::string remedy = with_count(report, remedy_words);
+  const std::string remedy = remedy_of(report, remedy_words);
   if (report.outcome == HexOutcome::kAllHex && !report.reason.empty())
     return text + ", but " + report.reason + (remedy.empty() ? "" : ": " + remedy) + "; " + sizes;
   std::vector<std::string> parts;

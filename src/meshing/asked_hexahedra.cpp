@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "base/digits.hpp"
 #include "crossgrain/error.hpp"
 #include "hex/hex_forecast.hpp"
 #include "hex/hex_memory.hpp"
@@ -51,15 +50,11 @@ void AskedHexahedra::check(const SearchableSurface& surface) {
   require_memory_of_hexahedra(expected);
   const double thickness = usual_thickness(surface.bvh());
   if (kAcross * size <= thickness) return;
-  const double enough = rounded_down(thickness / kAcross, 2);
-  const double of_enough = part.volume / enough / enough / enough;
-  const bool are_made = of_enough <= kMostHexahedra;
+  // No size is named: whether the mesh needs a finer one shows when it is there, and is said then.
   warn({WarningKind::kThinPart,
-        fmt::format("less than {:g} hexahedra of {} fit across most of the part, which is {} thick there; "
-                    "a size of {:g} would leave {:g}, {} of them{}",
-                    kAcross, length_text(size, part.unit), length_text(thickness, part.unit), enough, kAcross,
-                    about(of_enough), are_made ? "" : ", more than are made"),
-        are_made ? Remedy::kTakeSmallerHexahedra : Remedy::kNone});
+        fmt::format("less than {:g} hexahedra of {} fit across most of the part, which is {} thick there: "
+                    "most walls get one",
+                    kAcross, length_text(size, part.unit), length_text(thickness, part.unit))});
 }
 
 void AskedHexahedra::warn_of_many_tets(const PartSize& part) {

@@ -64,12 +64,11 @@ class Faces(CommandTest):
         report = self.report_of("hex", "chamfered.step", "--size", "3")
         bare = [face for face in report["faces"] if face["quads"] == 0]
         self.assertEqual([round(face["area"], 2) for face in bare], [round(0.4 * math.sqrt(2) * 30, 2)])
-        count = report["hexahedra"]["model_volume"] / 0.56**3
-        self.assertEqual(self.warnings_of(report, "faces_without_quads"),
-                         [f"1 face of the model has no quads: face {bare[0]['number']}, a plane of area 17 and about 0.57 wide, "
-                          f"around 0.2 15 11.8; the hexahedra of 3 are larger; a size of 0.56 fits across, about {round(count, -3):.0f} of them"])
+        warnings = self.warnings_of(report, "faces_without_quads")
+        self.assertEqual(len(warnings), 1)
+        self.assertRegex(warnings[0], rf"^1 face of the model has no quads: face {bare[0]['number']}, a plane of area 17 and about 0.57 wide, around 0.2 15 11.8; "
+                         r"the hexahedra of 3 are larger; those of 0.56 would fit across \(about \d+\), but finer ones may have no mesh$")
         self.assertIn("1 face of the model has no quads", self.printed)
-        self.assertIn("--size", self.printed)
 
     def test_hexahedra_that_miss_much_of_the_volume_are_told(self):
         report = self.report_of("hex", "cylinder.step", "--size", "10")  # as wide as the cylinder

@@ -115,14 +115,8 @@ class ThinParts(CommandTest):
     def test_with_less_than_two_hexahedra_across_are_a_warning_before_the_work(self):
         self.write("plate.mesh", medit_text(*tet_box((6, 6, 1), (6.0, 6.0, 0.5))))
         self.assertRegex(self.warnings_of("plate.mesh", "--size", "0.5")[0],
-                         "less than 2 hexahedra of 0.5 .* 0.5 thick there; a size of 0.25 would leave 2, about 1200 of them; lower --size, or raise --cells")
+                         "less than 2 hexahedra of 0.5 .* 0.5 thick there: most walls get one$")
         self.assertEqual(self.warnings_of("plate.mesh", "--size", "0.25"), [])
-
-    def test_end_with_the_size_that_they_name(self):
-        self.write("plate.mesh", medit_text(*tet_box((6, 6, 1), (6.0, 6.0, 0.476))))
-        size = re.search(r"a size of (\S+) would leave 2, ", self.warnings_of("plate.mesh", "--size", "0.4")[0])[1]
-        self.assertEqual(size, "0.23")
-        self.assertEqual(self.warnings_of("plate.mesh", "--size", size), [])
 
     def test_with_two_of_them_across_most_are_none_though_one_side_is_short(self):
         self.write("cube.mesh", medit_text(*tet_box((4, 4, 4), (2.0, 2.0, 2.0))))

@@ -163,8 +163,14 @@ TEST(FacesWithoutQuads, AreWarnedOfWithTheirWidth) {
   EXPECT_EQ(
       warning->text,
       "1 face of the model has no quads: face 7, a plane of area 12 and about 2.4 wide, around 2 1.5 2; "
-      "the hexahedra of 3 are larger; a size of 2.4 fits across, about 2 of them");
-  EXPECT_EQ(warning->remedy, Remedy::kTakeSmallerHexahedra);
+      "the hexahedra of 3 are larger; those of 2.4 would fit across (about 2), but finer ones may have no "
+      "mesh");
+  EXPECT_EQ(warning->remedy, Remedy::kNone) << "no order: finer ones may have no mesh";
+  EXPECT_NEAR(*size_for_faces({face}, tets, report), 2.4, 1e-12);
+  report.remedy = Remedy::kUseHexSize;
+  const auto second = faces_without_quads({face}, tets, report);
+  EXPECT_TRUE(second->text.ends_with("the hexahedra of 3 are larger")) << "the report names a size";
+  report.remedy = Remedy::kNone;
   const auto many = faces_without_quads(std::vector<ModelFace>(8, face), tets, report);
   EXPECT_NE(many->text.find("8 faces of the model have no quads"), std::string::npos) << many->text;
   EXPECT_NE(many->text.find("; and 3 more"), std::string::npos) << many->text;
@@ -173,12 +179,12 @@ TEST(FacesWithoutQuads, AreWarnedOfWithTheirWidth) {
   face.quads = 0;
   face.area = 0.01;
   const auto thin = faces_without_quads({face}, tets, report);
-  EXPECT_NE(thin->text.find("; a size of 0.002 fits across, about 3 billion"), std::string::npos)
+  EXPECT_NE(thin->text.find("; those of 0.002 would fit across, but so many are not made"), std::string::npos)
       << thin->text;
-  EXPECT_EQ(thin->remedy, Remedy::kNone) << "so many are not made";
+  EXPECT_FALSE(size_for_faces({face}, tets, report));
   report.used_size = 1;
   face.area = 12;
-  EXPECT_EQ(faces_without_quads({face}, tets, report)->remedy, Remedy::kNone);
+  EXPECT_EQ(faces_without_quads({face}, tets, report)->text.find("larger"), std::string::npos);
 }
 
 }  // namespace

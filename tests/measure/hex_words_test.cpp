@@ -29,6 +29,38 @@ TEST(SentenceOfHexahedra, TellsSmallerOnesThanAskedForAndWhy) {
             "all-hex: 24000 of 0.686, not about 1000 of 2: larger ones would be turned inside out");
 }
 
+TEST(SentenceOfHexahedra, TellsThatLargerOnesFilledTheModelBadlyShaped) {
+  HexReport report = whole();
+  report.used_size = 1.4;
+  report.hexahedra = 3000;
+  HexAttempt larger;
+  larger.outcome = HexOutcome::kAllHex;
+  larger.size = 2;
+  larger.hexahedra = 1285;
+  report.attempts = {larger};
+  EXPECT_EQ(sentence_of(report),
+            "all-hex: 3000 of 1.4, not about 1000 of 2: larger ones would be badly shaped");
+  report.attempts[0].hexahedra = 100;
+  EXPECT_EQ(sentence_of(report),
+            "all-hex: 3000 of 1.4, not about 1000 of 2: larger ones would be far fewer than expected");
+}
+
+TEST(SentenceOfHexahedra, TellsThatNoOptionIsKnownToHelp) {
+  HexReport report = whole();
+  report.outcome = HexOutcome::kPartial;
+  report.reason = "layers of hexahedra are folded at 1 2 3, near face 4";
+  report.places = {{1, 2, 3}};
+  report.attempts.resize(1);
+  const std::string begin = "partial: 1000 hexahedra of 2; " + report.reason + "; ";
+  EXPECT_EQ(sentence_of(report), begin + "tets of another size may help") << "tets that were given";
+  report.attempts[0].tet_size = 3;
+  EXPECT_EQ(sentence_of(report), begin + "no option is known to help; change the model there");
+  EXPECT_EQ(sentence_of(report, "try --tet-size 2"), begin + "try --tet-size 2");
+  report = whole();
+  report.attempts.resize(1);
+  EXPECT_EQ(sentence_of(report), "all-hex: 1000 of 2") << "nothing is missing";
+}
+
 TEST(SentenceOfHexahedra, TellsOtherNumbersThanExpectedAndWhy) {
   HexReport report = whole();
   report.hexahedra = 125;
@@ -70,6 +102,16 @@ TEST(SentenceOfHexahedra, TellsFirstWhatIsWrongWithAWholeMeshAndWhatHelps) {
   EXPECT_EQ(sentence_of(report),
             "all-hex, but its volume is 22 % below the model's: use hexahedra of 0.15 (about 2.4 million); "
             "1000 of 2");
+}
+
+TEST(SentenceOfHexahedra, CountsAtTheSizeThatHelpsWhatWallsAddToTheForecast) {
+  HexReport report = whole();
+  report.reason = "its volume is 22 % below the model's";
+  report.remedy = Remedy::kUseHexSize;
+  report.remedy_number = 1;
+  report.expected = 1500;
+  EXPECT_EQ(sentence_of(report, "try --size 1"),
+            "all-hex, but its volume is 22 % below the model's: try --size 1 (about 10000); 1000 of 2");
 }
 
 TEST(SentenceOfHexahedra, TellsFirstThatTheSearchWasStopped) {
@@ -124,6 +166,8 @@ TEST(DistancesOfHexahedra, TellTheMeshFromTheModel) {
   EXPECT_EQ(distances_of(report), "surface up to 2.07 from the mesh; mesh up to 3 off the surface, at 1 2 3");
   report.largest_distance = report.largest_distance_of_model = 1e-12;
   EXPECT_EQ(distances_of(report), "nowhere off the surface");
+  report.largest_distance_of_model = 2.07;
+  EXPECT_EQ(distances_of(report), "mesh on the surface; surface up to 2.07 from the mesh, at 4 0 2");
 }
 
 TEST(ShapesOfHexahedra, HaveTwoDigits) {
@@ -133,7 +177,7 @@ TEST(ShapesOfHexahedra, HaveTwoDigits) {
   quality.worst_place = {3.2, 0.1, 4};
   EXPECT_EQ(shapes_of(quality), "scaled Jacobian 0.71 at 3.2 0.1 4, 0.93 in the mean");
   quality.least = 0.00123;
-  EXPECT_EQ(shapes_of(quality), "scaled Jacobian 0.0012 at 3.2 0.1 4, 0.93 in the mean");
+  EXPECT_EQ(shapes_of(quality), "scaled Jacobian 0.0012, which is poor, at 3.2 0.1 4, 0.93 in the mean");
 }
 
 }  // namespace
