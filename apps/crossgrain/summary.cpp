@@ -281,6 +281,16 @@ std::string detail_rows(const SolveReport& report) {
          angles_row("creases", report.onto->crease_deg, "their faces");
 }
 
+/// Returns a warning with what to do about it, in options that suit the model.
+std::string advised(const Warning& warning, const SolveArguments& arguments) {
+  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
+  const bool is_of_gluing = warning.remedy == Remedy::kGlueSolids || warning.remedy == Remedy::kMergeVertices;
+  if (can_glue && is_of_gluing) return sentence_of(warning, "glue them with --glue");
+  if (can_glue && warning.remedy == Remedy::kSeparateSolids)
+    return sentence_of(warning, "cut one from the other, or glue them with --glue");
+  return line_of(warning, command_of(arguments));
+}
+
 }  // namespace
 
 Command command_of(const SolveArguments& arguments) {
@@ -288,12 +298,10 @@ Command command_of(const SolveArguments& arguments) {
 }
 
 std::string line_of(const Warning& warning, const SolveArguments& arguments) {
-  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
-  const bool is_of_gluing = warning.remedy == Remedy::kGlueSolids || warning.remedy == Remedy::kMergeVertices;
-  if (can_glue && is_of_gluing) return sentence_of(warning, "glue them with --glue");
-  if (can_glue && warning.remedy == Remedy::kSeparateSolids)
-    return sentence_of(warning, "cut one from the other, or glue them with --glue");
-  return line_of(warning, command_of(arguments));
+  const bool is_of_solids =
+      warning.kind == WarningKind::kTouchingSolids || warning.kind == WarningKind::kOverlappingSolids;
+  const bool is_fault = arguments.hexahedra && is_of_solids && warning.remedy != Remedy::kNone;
+  return advised(warning, arguments) + (is_fault ? "; else the hexahedra are flawed (exit code 6)" : "");
 }
 
 std::string line_of(const Answer& answer, Command command) {

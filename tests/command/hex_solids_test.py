@@ -99,7 +99,7 @@ class OfCadFiles(HexSolidsTest):
     def test_touching_solids_are_a_success_once_they_are_glued(self):
         line = self.hex("stacked.brep", "--cells", "8", "--tet-size", "4", code=NOT_ALL_HEX)
         self.assertRegex(line, "flawed.* in 2 bodies; solids that touch are meshed apart, as warned; glue them with --glue$")
-        self.assertRegex(self.result.stderr, "warning: stacked.brep: solids 1 and 2 touch.*; glue them with --glue\n")
+        self.assertRegex(self.result.stderr, "warning: stacked.brep: solids 1 and 2 touch.*; glue them with --glue; else the hexahedra are flawed \\(exit code 6\\)\n")
         self.assertNotIn("merge equal vertices", self.result.stdout + self.result.stderr)
         self.assertEqual(self.result.stderr.count("warning: "), 1, self.result.stderr)
         line = self.hex("stacked.brep", "--cells", "8", "--tet-size", "4", "--glue")

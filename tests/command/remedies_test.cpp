@@ -59,6 +59,18 @@ TEST(WordsOfARemedy, OfOtherCommandsNameOptionsOfOneOfThem) {
     }
 }
 
+TEST(WarningsOfSolids, TellBeforeTheWorkHowHexahedraEnd) {
+  const Warning touching(WarningKind::kTouchingSolids, "solids 1 and 2 touch", Remedy::kGlueSolids);
+  SolveArguments arguments;
+  arguments.model = "part.step";
+  EXPECT_EQ(line_of(touching, arguments), "solids 1 and 2 touch; glue them with --glue");
+  arguments.hexahedra.emplace();
+  EXPECT_EQ(line_of(touching, arguments),
+            "solids 1 and 2 touch; glue them with --glue; else the hexahedra are flawed (exit code 6)");
+  EXPECT_EQ(line_of(Warning(WarningKind::kTouchingSolids, "they meet in a point"), arguments),
+            "they meet in a point");
+}
+
 TEST(WhatToExpect, GivesTheReasonForTetsOfAnotherSize) {
   HexExpectation expected{12561, 3.05, 97.2, {17.1, 0, 0}};
   const std::string begin = "about 97 hexahedra of 3.05, along a field on 12561 tets of 17.1 (--tet-size)";
