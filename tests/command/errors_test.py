@@ -294,7 +294,8 @@ class UnwritableOutput(CommandTest):
 
     def test_the_output_is_looked_at_before_the_model(self):
         self.write("taken", "precious")
-        self.assert_fails(self.run_here("solve", "none.stl", "-o", "taken"), OUTPUT, "taken")
+        self.write("rubbish.stl", "rubbish")
+        self.assert_fails(self.run_here("solve", "rubbish.stl", "-o", "taken"), OUTPUT, "taken")
 
     def test_a_system_without_threads_left_is_told(self):
         result = self.run_without_privileges("solve", "box.stl", "-o", "out", "--resolution", "16", preexec_fn=no_more_processes)

@@ -166,9 +166,10 @@ class FoldersOfFormats(FormatsTest):
 
     def test_the_folder_is_looked_at_before_the_tets(self):
         (self.folder / "out" / "onto.perm").mkdir(parents=True)
-        result = self.run_here("solve", "none.mesh", "-o", "out", "--write", "perm")
+        self.write("rubbish.mesh", "rubbish")
+        result = self.run_here("solve", "rubbish.mesh", "-o", "out", "--write", "perm")
         self.assert_fails(result, OUTPUT, "onto.perm")
-        self.assert_fails(self.run_here("solve", "none.mesh", "-o", "out", "--force"), INPUT, "none.mesh")
+        self.assert_fails(self.run_here("solve", "rubbish.mesh", "-o", "out", "--force"), INPUT, "rubbish.mesh")
 
 
 class WrongFormats(FormatsTest):

@@ -282,8 +282,9 @@ class WrongUsage(OntoTest):
 
     def test_the_output_is_looked_at_before_the_tets(self):
         (self.folder / "out" / "onto.vtu").mkdir(parents=True)
+        self.write("rubbish.mesh", "rubbish")
         self.before = self.names()
-        self.assert_fails(self.run_here("solve", "none.mesh", "-o", "out"), OUTPUT, "onto.vtu")
+        self.assert_fails(self.run_here("solve", "rubbish.mesh", "-o", "out"), OUTPUT, "onto.vtu")
 
 
 class Faults(OntoTest):
