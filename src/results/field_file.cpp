@@ -92,6 +92,8 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
     throw Error(ErrorKind::kUsage, "the folder '" + reservation->name() + "' is reserved, not this one");
   check_foreign_files(folder, options, *reservation, monitor);
   OutputFolder output(std::move(reservation));
+  // What is made for a file on the way may sort millions of faces.
+  const WatchedLoops watched(monitor, Stops::kIgnored);
   Stopwatch stopwatch;
   report.solve = solve;
   report.files.clear();
