@@ -7,9 +7,9 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "fit/shape_energy.hpp"
 #include "map/descent.hpp"
 #include "map/foldover.hpp"
-#include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
 
 namespace crossgrain {
@@ -71,46 +71,35 @@ class Freedom {
   std::vector<Index> begins_;
 };
 
-/// The energy of a mesh in sizes of hexahedra.
-class ShapeEnergy {
+/// The energy of a mesh in sizes of hexahedra, and of its vertices' moves within their freedom.
+class SmoothingEnergy {
  public:
-  ShapeEnergy(const HexMesh& mesh, double size, double power)
-      : mesh_(mesh), scale_(1 / size), power_(power), terms_(mesh.hexahedra.size()) {
-    std::vector<std::array<std::uint32_t, 2>> uses;
-    for (std::uint32_t h = 0; h < mesh.hexahedra.size(); ++h)
-      for (std::uint32_t k = 0; k < 8; ++k) uses.push_back({mesh.hexahedra[h][k], 8 * h + k});
-    uses_ = ListTable(mesh.vertices.size(), uses);
-  }
+  SmoothingEnergy(const HexMesh& mesh, double size, int power)
+      : mesh_(mesh),
+        scale_(1 / size),
+        power_(power),
+        shapes_(mesh.vertices.size(), mesh.hexahedra, std::vector<double>(mesh.hexahedra.size(), 1.0)) {}
 
   /// Of vertices moved by `x` sizes of hexahedra in the directions of their freedom.
   double operator()(const Freedom& freedom, const Eigen::VectorXd& x, double epsilon,
                     Eigen::VectorXd& gradient) {
-    const std::vector<Vector3> places = moved(freedom, x);
-    parallel_for(terms_.size(), [&](std::size_t h) { terms_[h] = term(places, h, epsilon); });
-    double sum = 0;
-    for (const Term& term : terms_) sum += term.value;
-    const double weight = 1 / (8 * static_cast<double>(terms_.size()));
+    std::vector<Vector3> of_vertices;
+    const double sum = shapes_(moved(freedom, x), {kVolumeWeight, power_, epsilon}, of_vertices);
+    const double weight = 1 / (8 * static_cast<double>(mesh_.hexahedra.size()));
     gradient.resize(x.size());
-    parallel_for(places.size(), [&](std::size_t v) {
-      Vector3 of_vertex{0, 0, 0};
-      for (const std::uint32_t use : uses_[v]) of_vertex += terms_[use / 8].gradient[use % 8];
-      freedom.put_gradient(v, weight * of_vertex, gradient);
-    });
+    parallel_for(of_vertices.size(),
+                 [&](std::size_t v) { freedom.put_gradient(v, weight * of_vertices[v], gradient); });
     return weight * sum;
   }
 
+  /// At most 1.
   double least_determinant() const {
-    double least = 1;
     std::vector<Vector3> places;
     for (const Vector3& place : mesh_.vertices) places.push_back(scale_ * place);
-    for (std::size_t h = 0; h < terms_.size(); ++h)
-      for (std::size_t k = 0; k < 8; ++k) {
-        const auto [a, b, c] = edges(places, h, k);
-        least = std::min(least, dot(cross(a, b), c));
-      }
-    return least;
+    return std::min(1.0, shapes_.least_determinant(places));
   }
 
+ private:
   /// In sizes of hexahedra.
   std::vector<Vector3> moved(const Freedom& freedom, const Eigen::VectorXd& x) const {
     std::vector<Vector3> places(mesh_.vertices.size());
@@ -119,48 +108,10 @@ class ShapeEnergy {
     return places;
   }
 
- private:
-  struct Term {
-    double value = 0;
-    std::array<Vector3, 8> gradient{};
-  };
-
-  std::array<Vector3, 3> edges(const std::vector<Vector3>& places, std::size_t h, std::size_t k) const {
-    const auto& corners = mesh_.hexahedra[h];
-    const auto& [a, b, c] = kHexNeighbours[k];
-    const Vector3& at = places[corners[k]];
-    return {places[corners[a]] - at, places[corners[b]] - at, places[corners[c]] - at};
-  }
-
-  Term term(const std::vector<Vector3>& places, std::size_t h, double epsilon) const {
-    Term term;
-    for (std::size_t k = 0; k < 8; ++k) {
-      const auto [a, b, c] = edges(places, h, k);
-      const std::array<Vector3, 3> cofactors{cross(b, c), cross(c, a), cross(a, b)};
-      const double determinant = dot(cofactors[2], c);
-      const auto [chi, slope] = regularised(determinant, epsilon);
-      const double squares = dot(a, a) + dot(b, b) + dot(c, c), root = std::cbrt(chi * chi);
-      const double volumes = kVolumeWeight * (1 + determinant * determinant) / chi;
-      // Relative to a cube of the size, so that no power is out of range for it.
-      const double cube = 3 + 2 * kVolumeWeight, share = (squares / root + volumes) / cube;
-      const double raised = std::pow(share, power_ - 1), outer = power_ * raised;
-      term.value += cube * share * raised;
-      const double by_determinant = -2.0 / 3 * squares / (root * chi) * slope +
-                                    2 * kVolumeWeight * determinant / chi - volumes / chi * slope;
-      const std::array<Vector3, 3> own{a, b, c};
-      for (std::size_t n = 0; n < 3; ++n) {
-        const Vector3 by_edge = outer * ((2 / root) * own[n] + by_determinant * cofactors[n]);
-        term.gradient[kHexNeighbours[k][n]] += by_edge;
-        term.gradient[k] += -by_edge;
-      }
-    }
-    return term;
-  }
-
   const HexMesh& mesh_;
-  double scale_, power_;
-  ListTable uses_;  ///< 8 times the hexahedron, and the corner
-  std::vector<Term> terms_;
+  double scale_;
+  int power_;
+  ShapeEnergy shapes_;
 };
 
 /// What decides between two meshes: more is better.
@@ -218,7 +169,7 @@ class Smoothing {
 
   /// Rounds from the best mesh on; vertices that are `loose` may leave the surface.
   /// `share` of the smoothing is done before it, and another `own_share` after it.
-  void run(double power, const std::vector<bool>& loose, double share, double own_share);
+  void run(int power, const std::vector<bool>& loose, double share, double own_share);
 
  private:
   Foot foot(std::size_t vertex, const std::vector<bool>& loose) const {
@@ -241,11 +192,11 @@ Vector3 Smoothing::held(std::size_t vertex, const Vector3& point, bool is_loose)
   return length <= most ? point : nearest + (most / length) * off;
 }
 
-void Smoothing::run(double power, const std::vector<bool>& loose, double share, double own_share) {
+void Smoothing::run(int power, const std::vector<bool>& loose, double share, double own_share) {
   tell_watched(Phase::kSmooth, share);
   if (!may_gain()) return;
   HexMesh mesh = best;
-  ShapeEnergy energy(mesh, size_, power);
+  SmoothingEnergy energy(mesh, size_, power);
   constexpr int kRoundsInVain = 6;
   double epsilon = first_epsilon(energy.least_determinant());
   std::vector<Foot> feet;
@@ -284,9 +235,9 @@ HexMesh smoothed(HexMesh mesh, const MapSurface& surface, const std::vector<Foot
   // Loose vertices take as many rounds again, where they are needed.
   const double own_share = 0.5 / static_cast<double>(options.powers.size());
   double share = 0;
-  for (const double power : options.powers) smoothing.run(power, none, share, own_share), share += own_share;
+  for (const int power : options.powers) smoothing.run(power, none, share, own_share), share += own_share;
   if (!smoothing.is_valid() && options.slack > 0)
-    for (const double power : options.powers)
+    for (const int power : options.powers)
       smoothing.run(power, in_inverted(smoothing.best), share, own_share), share += own_share;
   return std::move(smoothing.best);
 }

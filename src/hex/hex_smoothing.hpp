@@ -12,7 +12,7 @@ namespace crossgrain {
 struct HexSmoothingOptions {
   /// Powers of the energy of a corner, one stage after the other: with higher ones the worst shapes count
   /// more.
-  std::vector<double> powers = {1, 4, 16};
+  std::vector<int> powers = {1, 4, 16};
 
   int rounds = 40;  ///< of a stage, each with a projection to the surface
 
