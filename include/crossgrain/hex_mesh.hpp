@@ -15,7 +15,8 @@ namespace crossgrain {
 
 /// A mesh of hexahedra that index vertices. Corners of a hexahedron are numbered as in VTK, gmsh and Abaqus:
 /// 0 1 2 3 around one face, 4 5 6 7 opposite to them, so that the edges from 0 to 1, 3 and 4 are right-handed
-/// in a hexahedron that is not inverted.
+/// in a valid hexahedron. It is valid if the determinant of its trilinear map is positive everywhere in it,
+/// and inverted otherwise.
 struct HexMesh {
   struct Face {
     std::array<std::uint32_t, 4> vertices;

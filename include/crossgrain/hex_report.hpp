@@ -90,7 +90,7 @@ struct HexReport {
   struct Quality {
     double least = 0, one_percent = 0, mean = 0;
     Vector3 worst_place{0, 0, 0};  ///< the centre of the worst hexahedron
-    std::size_t inverted = 0;      ///< inverted or flat: not above 1e-6
+    std::size_t inverted = 0;      ///< not valid: the determinant is not positive everywhere
     std::size_t below_tenth = 0, below_fifth = 0;
   };
 

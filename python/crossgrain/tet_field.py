@@ -216,7 +216,7 @@ class HexMesh:
 
     @cached_property
     def quality(self) -> np.ndarray:
-        """Scaled Jacobian of each hexahedron, (m,): 1 for a cube, 0 or less if it is inverted."""
+        """Scaled Jacobian of each hexahedron, (m,): 1 for a cube, 0 or less if it is inverted at a corner."""
         return array_view(self._handle, library.crossgrain_hexahedra_scaled_jacobians(self._handle),
                           np.float64, (len(self),))
 

@@ -21,6 +21,7 @@
 #include "measure/fault_words.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
+#include "measure/hex_validity.hpp"
 #include "tets/tet_shape.hpp"
 
 namespace crossgrain {
@@ -41,13 +42,13 @@ std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<do
 
 /// Centres of inverted hexahedra, the worst first.
 std::vector<Vector3> places_of_inverted(const HexMesh& mesh) {
-  const std::vector<double> shapes = scaled_jacobians(mesh);
+  const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh);
   std::vector<std::pair<double, std::size_t>> inverted;
-  for (std::size_t k = 0; k < shapes.size(); ++k)
-    if (is_inverted(shapes[k])) inverted.emplace_back(shapes[k], k);
+  for (std::size_t k = 0; k < is_inverted.size(); ++k)
+    if (is_inverted[k]) inverted.emplace_back(least_jacobian(corners_of(mesh, k)).upper, k);
   std::sort(inverted.begin(), inverted.end());
   std::vector<Vector3> places;
-  for (const auto& [shape, k] : inverted) places.push_back(centre_of(mesh, k));
+  for (const auto& [least, k] : inverted) places.push_back(centre_of(mesh, k));
   return places;
 }
 
@@ -177,9 +178,9 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
   const auto worst = std::min_element(values.begin(), values.end());
   quality.least = *worst;
   quality.worst_place = centre_of(mesh, static_cast<std::size_t>(worst - values.begin()));
+  for (const std::uint8_t is_inverted : inverted_hexahedra(mesh)) quality.inverted += is_inverted;
   for (const double value : values) {
     quality.mean += value / static_cast<double>(values.size());
-    quality.inverted += is_inverted(value);
     quality.below_tenth += value < 0.1;
     quality.below_fifth += value < 0.2;
   }

@@ -11,6 +11,7 @@
 #include "map/descent.hpp"
 #include "map/foldover.hpp"
 #include "measure/hex_quality.hpp"
+#include "measure/hex_validity.hpp"
 
 namespace crossgrain {
 namespace {
@@ -132,18 +133,18 @@ Score score_of(const HexMesh& mesh) {
   for (const double q : quality) {
     least = std::min(least, q);
     sum += q;
-    score.good += !is_inverted(q);
   }
+  for (const std::uint8_t is_inverted : inverted_hexahedra(mesh)) score.good += !is_inverted;
   score.shape = std::min(least, kGoodEnough) + kMeanWeight * sum / static_cast<double>(quality.size());
   return score;
 }
 
 /// Vertices of inverted hexahedra.
 std::vector<bool> in_inverted(const HexMesh& mesh) {
-  const std::vector<double> quality = scaled_jacobians(mesh);
+  const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh);
   std::vector<bool> result(mesh.vertices.size(), false);
-  for (std::size_t h = 0; h < quality.size(); ++h)
-    if (is_inverted(quality[h]))
+  for (std::size_t h = 0; h < is_inverted.size(); ++h)
+    if (is_inverted[h])
       for (const std::uint32_t v : mesh.hexahedra[h]) result[v] = true;
   return result;
 }

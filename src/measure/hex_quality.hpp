@@ -14,11 +14,6 @@ namespace crossgrain {
 /// edge without length makes it 0. (Knupp 2000; Verdict's measure but for its further value at the centre.)
 std::vector<double> scaled_jacobians(const HexMesh& mesh);
 
-/// Whether a hexahedron of this scaled Jacobian is inverted, or flat but for rounding.
-inline bool is_inverted(double scaled_jacobian) {
-  return !(scaled_jacobian > 1e-6);
-}
-
 /// The mean of the corners of a hexahedron.
 Vector3 centre_of(const HexMesh& mesh, std::size_t hexahedron);
 

@@ -11,6 +11,7 @@
 #include "display/shown_faces.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
+#include "measure/hex_validity.hpp"
 #include "page/scene_parts.hpp"
 
 namespace crossgrain {
@@ -67,11 +68,16 @@ void add_hexahedra(const HexMesh& mesh, const Vector3& origin, std::size_t most,
   scene.add("hex_corners", 8, corners);
   scene.add("hex_shape", 1, column<float>(shown, [&](std::uint32_t h) { return shapes[h]; }));
   scene.add("hex_face", 6, tags_of_faces(mesh, shown));
+  const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh);
+  const auto inverted = std::ranges::count(is_inverted, 1);
+  if (inverted > 0)
+    scene.add("hex_inverted", 1,
+              column<std::uint8_t>(shown, [&](std::uint32_t h) { return is_inverted[h]; }));
   if (shown.size() < shapes.size()) scene.add("hex_number", 1, shown);
   scene.header["hexahedra"] = {
       {"total", shapes.size()},
       {"shown", shown.size()},
-      {"inverted", std::count_if(shapes.begin(), shapes.end(), is_inverted)},
+      {"inverted", inverted},
       {"mean", std::accumulate(shapes.begin(), shapes.end(), 0.0) / static_cast<double>(shapes.size())}};
 }
 

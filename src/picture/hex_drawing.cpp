@@ -12,6 +12,7 @@
 #include "display/shown_faces.hpp"
 #include "display/smooth_corners.hpp"
 #include "measure/hex_quality.hpp"
+#include "measure/hex_validity.hpp"
 #include "picture/face_labels.hpp"
 #include "picture/field_drawing.hpp"
 #include "picture/region_colours.hpp"
@@ -112,7 +113,7 @@ DrawnMesh pale_mesh(const SolvedSurface& surface) {
 
 Colour colour_of_shape(double shape) {
   static const ColourMap map = ColourMap::shape();
-  return is_inverted(shape) ? kInverted : map.at(shape);
+  return map.at(shape);
 }
 
 std::vector<Rod> rods_along(const HexMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& edges,
@@ -153,7 +154,10 @@ LegendBlock outcome_block(std::size_t hexahedra, const HexReport* report) {
 }  // namespace
 
 ShownHexahedra::ShownHexahedra(const HexMesh& mesh, const PictureOptions& options, const Vector3& towards)
-    : mesh_(mesh), options_(options), shapes_(scaled_jacobians(mesh)) {
+    : mesh_(mesh),
+      options_(options),
+      shapes_(scaled_jacobians(mesh)),
+      is_inverted_(inverted_hexahedra(mesh)) {
   std::vector<std::uint8_t> is_shown(mesh.hexahedra.size(), 1);
   skin_ = skin_of(mesh, is_shown);
   kept_surface_ = triangles_of(mesh, skin_.faces);
@@ -210,7 +214,7 @@ Drawing ShownHexahedra::drawing(const Camera& camera, double text_size) const {
     if (!tags_.empty()) return colour_of_face(tags_[point.triangle / 4]);
     const std::size_t hexahedron = skin_.faces[point.triangle / 4].hexahedron;
     if (!regions_.empty()) return colour_of_region(regions_, mesh_.regions[hexahedron]);
-    return colour_of_shape(shapes_[hexahedron]);
+    return is_inverted_[hexahedron] ? kInverted : colour_of_shape(shapes_[hexahedron]);
   };
   Drawing drawing;
   if (!tags_.empty()) {
@@ -235,7 +239,7 @@ Drawing ShownHexahedra::drawing(const Camera& camera, double text_size) const {
 }
 
 std::vector<LegendBlock> ShownHexahedra::legend(const HexReport* report) const {
-  const auto inverted = static_cast<std::size_t>(std::count_if(shapes_.begin(), shapes_.end(), is_inverted));
+  const auto inverted = std::ranges::count(is_inverted_, 1);
   LegendBlock shapes{"Scaled Jacobian", "", ColourBar{ColourMap::shape(), {0, 1}}};
   if (inverted > 0)
     shapes.signs.push_back({Sign::Shape::kBox, kInverted, fmt::format("inverted ({})", inverted)});

@@ -43,7 +43,8 @@ class ShownHexahedra {
 
   const HexMesh& mesh_;
   const PictureOptions& options_;
-  std::vector<double> shapes_;         ///< scaled Jacobians
+  std::vector<double> shapes_;  ///< scaled Jacobians
+  std::vector<std::uint8_t> is_inverted_;
   std::size_t shown_ = 0;              ///< number of hexahedra
   HexSkin skin_;                       ///< of these
   std::vector<std::int32_t> tags_;     ///< for colours by face, of the faces of skin_

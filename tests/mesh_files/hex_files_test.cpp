@@ -431,6 +431,17 @@ TEST(WriteHexahedra, RefusesInvertedOnesInFilesForSolversUnlessTheyAreAskedFor) 
   write_hexahedra(mesh, folder.path() / "a.vtu");
 }
 
+TEST(WriteHexahedra, RefusesAHexahedronThatIsInvertedOnlyInside) {
+  const TemporaryFolder folder;
+  HexMesh mesh;
+  mesh.vertices = {{0, -0.5, 0.5},  {1, -0.5, -0.5}, {1, 1, 0.5},   {-0.5, 0.5, 0},
+                   {0.5, 0.5, 1.5}, {1.5, 0.5, 0.5}, {0.5, 0.5, 1}, {-0.5, 1.5, 0.5}};
+  mesh.hexahedra = {{0, 1, 2, 3, 4, 5, 6, 7}};
+  EXPECT_GT(scaled_jacobians(mesh)[0], 0.1);
+  expect_usage_error([&] { write_hexahedra(mesh, folder.path() / "a.msh"); },
+                     "a.msh: hexahedron 1: is inverted");
+}
+
 TEST(WriteHexahedra, LeavesTheEarlierFileWhenItIsCancelled) {
   for (const char* name : kNames) {
     const TemporaryFolder folder;

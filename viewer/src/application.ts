@@ -182,7 +182,7 @@ export class Application implements Commands {
   private words_of(element: number): string {
     if (this.stage.shows_hexahedra) {
       const described = this.picked.describe_hexahedron(element);
-      return `${hexahedron_title(described)} picked, scaled Jacobian ${shape_text(described.scaled_jacobian)}`;
+      return `${hexahedron_title(described)} picked, scaled Jacobian ${shape_text(described.scaled_jacobian, described.inverted)}`;
     }
     const { class: kind, energy_density } = this.picked.describe(element);
     return `${title_of(this.shown, element)} picked, ${kind ? `${kind}, ` : ""}energy density ${measured(energy_density)}`;
@@ -308,7 +308,7 @@ export class Application implements Commands {
     if (alone && solid && hexahedron >= 0) {
       const described = this.picked.describe_hexahedron(hexahedron);
       const { hexahedra } = this.stage.field;
-      [text, point, around] = [`${hexahedron_title(described)}: scaled Jacobian ${shape_text(described.scaled_jacobian)}`, hexahedra!.center(hexahedron), hexahedra!.radius(hexahedron) / this.stage.pixel];
+      [text, point, around] = [`${hexahedron_title(described)}: scaled Jacobian ${shape_text(described.scaled_jacobian, described.inverted)}`, hexahedra!.center(hexahedron), hexahedra!.radius(hexahedron) / this.stage.pixel];
     } else if (face) [text, point] = [face_title(this.picked.face(face.number)), face.point];
     else if (marked) [text, point] = [marked.label, marked.point];
     this.tag.show(text, point && this.stage.in_view(point), around, this.free);

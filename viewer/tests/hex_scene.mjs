@@ -65,6 +65,7 @@ export function hexahedra_scene(inverted = true) {
       hex_points: ["f32", 3, points.flat()],
       hex_corners: ["u32", 8, hexahedra.flat()],
       hex_shape: ["f32", 0, shapes],
+      ...(inverted ? { hex_inverted: ["u8", 0, shapes.map((shape) => Number(shape <= 0))] } : {}),
       hex_face: ["u32", 6, faces],
     },
     report: {

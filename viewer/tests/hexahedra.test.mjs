@@ -15,7 +15,7 @@ const kFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7
 
 const hexahedra_of = ({ points, hexahedra }) => ({
   total: hexahedra.length, inverted: 0, mean: 1, points: Float32Array.from(points.flat()), corners: Uint32Array.from(hexahedra.flat()),
-  shape: new Float32Array(hexahedra.length).fill(1), number: new Uint32Array(0), face: new Int32Array(0),
+  shape: new Float32Array(hexahedra.length).fill(1), is_inverted: new Uint8Array(0), number: new Uint32Array(0), face: new Int32Array(0),
 });
 
 /** Faces that one of the shown hexahedra has alone, found by counting: their points, sorted, with the hexahedron. */

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,7 +13,7 @@
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/writing.hpp"
-#include "measure/hex_quality.hpp"
+#include "measure/hex_validity.hpp"
 #include "mesh_files/hex/hex_writers.hpp"
 #include "mesh_files/mesh_formats.hpp"
 
@@ -55,10 +56,10 @@ bool is_for_display(const MeshFormat<HexOutput>& format) {
 }
 
 std::optional<std::size_t> first_inverted(const HexMesh& mesh) {
-  const std::vector<double> shapes = scaled_jacobians(mesh);
-  const auto first = std::find_if(shapes.begin(), shapes.end(), is_inverted);
-  if (first == shapes.end()) return std::nullopt;
-  return static_cast<std::size_t>(first - shapes.begin());
+  const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh);
+  const auto first = std::ranges::find(is_inverted, 1);
+  if (first == is_inverted.end()) return std::nullopt;
+  return static_cast<std::size_t>(first - is_inverted.begin());
 }
 
 }  // namespace

@@ -13,20 +13,21 @@ export interface Hexahedra {
   corners: Uint32Array;
   /** Scaled Jacobians. */
   shape: Float32Array;
+  /** 1 for each that is not valid, otherwise 0; empty if all are. */
+  is_inverted: Uint8Array;
   /** Of each its place in the mesh, from 0; empty if all of it is here. */
   number: Uint32Array;
   /** Numbers of the faces of the model that the six sides of each lie on, 0 for none; empty where no face has a number. */
   face: Int32Array;
 }
 
-/** Hexahedra that are inverted, or flat but for rounding, have at most this scaled Jacobian. */
-export const kInverted = 1e-6;
-
 /** Corners of the faces, outward by the right-hand rule, and of the edges. */
 const kFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
 const kEdges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
 
 export const hexahedron_count = ({ shape }: Hexahedra): number => shape.length;
+
+export const is_inverted = (hexahedra: Hexahedra, hexahedron: number): boolean => hexahedra.is_inverted[hexahedron] === 1;
 
 /** Its number in the files, from 1. */
 export const number_of = ({ number }: Hexahedra, hexahedron: number): number => (number[hexahedron] ?? hexahedron) + 1;

@@ -223,6 +223,7 @@ function hexahedra_of(read: Read, { total, inverted, mean }: NonNullable<Header[
     points: read("hex_points", "f32"),
     corners: read("hex_corners", "u32"),
     shape: read("hex_shape", "f32"),
+    is_inverted: read("hex_inverted", "u8"),
     number: read("hex_number", "u32"),
     face: signed(read("hex_face", "u32")),
   };

@@ -2,15 +2,15 @@
 // What is known of one hexahedron.
 
 import { add } from "../math/frame.ts";
-import { edge_lengths, hexahedron_count, kInverted, number_of } from "../scene/hexahedra.ts";
+import { edge_lengths, hexahedron_count, is_inverted, number_of } from "../scene/hexahedra.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { HexView } from "../view/hex_view.ts";
 import { coordinates, counted, element, measured, plural } from "./dom.ts";
 
 export const hexahedra_text = (count: number): string => plural(count, "hexahedron", "hexahedra");
 
-/** A scaled Jacobian: two digits, so that one near 0 is told from one that is not. */
-export const shape_text = (shape: number): string => `${measured(shape, 2)}${shape > kInverted ? "" : ", inverted"}`;
+/** A scaled Jacobian: two digits, so that one near 0 is told from one that is not. Of 0 or less it is of an inverted hexahedron. */
+export const shape_text = (shape: number, inverted = shape <= 0): string => `${measured(shape, 2)}${inverted ? ", inverted" : ""}`;
 
 /** Everything the panel says of a hexahedron, as values; tests and `window.crossgrain` read it too. */
 export function describe_hexahedron(scene: Scene, view: HexView, hexahedron: number) {
@@ -21,6 +21,7 @@ export function describe_hexahedron(scene: Scene, view: HexView, hexahedron: num
     number: number_of(hexahedra, hexahedron),
     center: add(view.center(hexahedron), scene.origin),
     scaled_jacobian: hexahedra.shape[hexahedron],
+    inverted: is_inverted(hexahedra, hexahedron),
     edges: edge_lengths(hexahedra, hexahedron),
   };
 }
@@ -30,10 +31,10 @@ export type HexDescription = ReturnType<typeof describe_hexahedron>;
 export const hexahedron_title = ({ number }: { number: number }): string => `Hexahedron ${counted(number)}`;
 
 export function show_hexahedron(panel: HTMLElement, hexahedron: HexDescription, unit: string, actions: { go(): void; close(): void }): void {
-  const { center, scaled_jacobian, edges } = hexahedron;
+  const { center, scaled_jacobian, inverted, edges } = hexahedron;
   const length = unit ? ` ${unit}` : "";
   const facts: [string, string, string][] = [
-    ["Scaled Jacobian", `${measured(scaled_jacobian)}${scaled_jacobian > kInverted ? "" : ", inverted"}`, "hexahedron-shape"],
+    ["Scaled Jacobian", `${measured(scaled_jacobian)}${inverted ? ", inverted" : ""}`, "hexahedron-shape"],
     ["Centre", coordinates(center), "hexahedron-center"],
     ["Edges", `${measured(edges.least)} to ${measured(edges.most)}${length}`, "hexahedron-edges"],
   ];
@@ -45,7 +46,7 @@ export function show_hexahedron(panel: HTMLElement, hexahedron: HexDescription, 
         element("button", { type: "button", click: actions.close, "data-testid": "cell-close" }, "Clear")),
     ),
     element("dl", { class: "facts" }, ...facts.flatMap(([name, value, test]) => [element("dt", {}, name), element("dd", { "data-testid": test }, value)])),
-    element("p", { class: "fine" }, "The scaled Jacobian is the least determinant of unit vectors along the edges at a corner: 1 for a cube, 0 or less if it is inverted. Its number is that in the files, which count from 1."),
+    element("p", { class: "fine" }, "The scaled Jacobian is the least determinant of unit vectors along the edges at a corner: 1 for a cube, 0 or less if it is inverted there. Its number is that in the files, which count from 1."),
   );
 }
 

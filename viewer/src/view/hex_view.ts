@@ -8,7 +8,7 @@ import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeome
 
 import { ramp_color, parse_color, type Color, type Theme } from "../math/color_maps.ts";
 import type { Vector } from "../math/frame.ts";
-import { hexahedron_center, hexahedron_edges, hexahedron_of, hexahedron_radius, HexSkins, kInverted, side_along, type Hexahedra, type HexSkin } from "../scene/hexahedra.ts";
+import { hexahedron_center, hexahedron_edges, hexahedron_of, hexahedron_radius, HexSkins, is_inverted, side_along, type Hexahedra, type HexSkin } from "../scene/hexahedra.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { face_at, kNothingHit, type Hit } from "./picking.ts";
@@ -23,8 +23,8 @@ const kInto = 1e-5;
 const kTint = 0.55;
 const kNoSkin: HexSkin = { side: new Uint32Array(0), corners: new Uint32Array(0) };
 
-export const hexahedron_color = (shape: number, theme: Theme): Color =>
-  shape > kInverted ? ramp_color("shape", theme, shape) : parse_color(kViewColors[theme].inverted);
+export const hexahedron_color = (hexahedra: Hexahedra, hexahedron: number, theme: Theme): Color =>
+  is_inverted(hexahedra, hexahedron) ? parse_color(kViewColors[theme].inverted) : ramp_color("shape", theme, hexahedra.shape[hexahedron]);
 
 export class HexView {
   readonly group = new Group();
@@ -152,7 +152,7 @@ export class HexView {
   }
 
   private color_of(side: number): Color {
-    const color = hexahedron_color(this.hexahedra.shape[hexahedron_of(side)], this.theme);
+    const color = hexahedron_color(this.hexahedra, hexahedron_of(side), this.theme);
     if (this.face === 0 || this.hexahedra.face[side] !== this.face) return color;
     const tint = parse_color(kViewColors[this.theme].picked);
     return color.map((channel, k) => channel + kTint * (tint[k] - channel)) as Color;
