@@ -88,7 +88,7 @@ TEST_F(HexValidity, BoundsOfABoxAreOneHoweverItLies) {
 }
 
 TEST_F(HexValidity, RefusesAHexahedronThatIsPositiveAtAllCornersAndNegativeInside) {
-  EXPECT_GT(least_at_corners(kNegativeInside), 0.1);
+  EXPECT_GT(least_at_corners(kNegativeInside), 0.09);
   EXPECT_FALSE(is_valid(kNegativeInside));
   EXPECT_NEAR(least_jacobian(kNegativeInside).upper, least_of_samples(kNegativeInside, 40), 1e-3);
 }
