@@ -42,7 +42,7 @@ Guides guides_of(const CreaseNetwork& creases, const TriangleMesh& inner_faces, 
 void add_interfaces(const std::vector<SolidSplit::Between>& between, const std::vector<Vector3>& vertices,
                     SolvedSurface& surface) {
   std::vector<std::uint32_t> new_index(vertices.size(), UINT32_MAX);
-  for (const auto& [triangle, solids] : between) {
+  for (const auto& [triangle, solids, sources] : between) {
     auto& corners = surface.interfaces.emplace_back(triangle);
     for (std::uint32_t& vertex : corners) {
       std::uint32_t& index = new_index[vertex];

@@ -3,6 +3,9 @@
 
 namespace crossgrain {
 
+/// A curve bends at a corner where its direction changes by more.
+inline constexpr double kCornerDeg = 45;
+
 /// Which sharp edges count as creases although they fade out: they form a path with an end in the smooth
 /// surface, as coarse triangles do where a surface is strongly curved. Closed paths and those between corners
 /// always count. The sweep in docs/notes/solver.md chose the values.

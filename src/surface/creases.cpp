@@ -66,9 +66,6 @@ struct Spoke {
   }
 };
 
-/// Two consecutive sharp edges belong to one curve if its direction changes by less than this.
-constexpr double kCornerDeg = 45;
-
 /// Both spokes of every sharp edge, sorted.
 class SharpEdges {
  public:

@@ -139,7 +139,7 @@ std::set<Piece> sharp_pieces(const TriangleMesh& mesh) {
 std::vector<CreaseCurve> creases_of_union(const TriangleMesh& outer,
                                           std::span<const SolidSplit::Between> between) {
   std::set<Piece> between_solids;
-  for (const auto& [t, solids] : between) {
+  for (const auto& [t, solids, sources] : between) {
     for (std::size_t k = 0; k < 3; ++k)
       between_solids.insert(piece_between(outer.vertices[t[k]], outer.vertices[t[(k + 1) % 3]]));
   }
@@ -171,7 +171,7 @@ SolidSplit split_solids(CheckedMesh mesh, bool unite) {
   std::vector<SolidSplit::Between> between;
   if (has_several_solids(*mesh)) {
     for (const auto& [owner, other] : separating_pairs(*mesh, paired)) {
-      between.push_back({mesh->triangles[owner], {mesh->solids[owner], mesh->solids[other]}});
+      between.push_back({mesh->triangles[owner], {mesh->solids[owner], mesh->solids[other]}, {owner, other}});
       if (!unite)
         append_inner(*mesh, between.back().triangle,
                      mesh->corner_normals.empty() ? nullptr : &mesh->corner_normals[owner], inner);

@@ -26,11 +26,12 @@ struct SolidSplit {
   /// mesh, and corner normals.
   TriangleMesh inner;
 
-  /// The triangle of each pair that belongs to the solid of lower number, and both solids; also if united.
-  /// Vertices are those of `inner`.
+  /// The triangle of each pair that belongs to the solid of lower number, both solids, and the numbers of
+  /// their triangles in the mesh; also if united. Vertices are those of `inner`.
   struct Between {
     std::array<std::uint32_t, 3> triangle;
     std::array<std::int32_t, 2> solids;
+    std::array<std::uint32_t, 2> sources;
   };
   std::vector<Between> between;
 };
