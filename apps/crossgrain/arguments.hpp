@@ -40,7 +40,8 @@ struct SolveArguments {
   bool page = true;  ///< whether to write report.html
   /// Whether and how to make hexahedra, as `hex` does; `options` and `tags` replace its own.
   std::optional<HexMeshingOptions> hexahedra;
-  bool repair = false;  ///< whether to repair the matchings of the field on tets
+  bool accepts_approximate = false;  ///< whether hexahedra that are HexOutcome::kApproximate will do
+  bool repair = false;               ///< whether to repair the matchings of the field on tets
   double read_seconds = ReadOptions().read_seconds;
   bool glue = false;
   LengthUnit unit = LengthUnit::kUnknown;  ///< of files that name none

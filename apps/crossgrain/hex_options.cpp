@@ -13,9 +13,10 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
       "crossgrain hex part.step --size 2            # writes part.hexahedra\n"
       "crossgrain hex part.stl --cells 30 --unit mm\n"
       "crossgrain view part.hexahedra               # shows them",
-      "0 hexahedra fill the model; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a limit "
-      "of memory or time; 6 they do not fill it, or not as its solids ask for: the best mesh is "
-      "written; 130 Ctrl-C: so is the best so far, if there is one");
+      "0 hexahedra fill the model and keep its features; 2 wrong usage; 3 bad input; 4 output cannot be "
+      "written; 5 a limit of memory or time; 6 they do not fill it, or not as its solids ask for: the best "
+      "mesh is written; 7 they fill it, but lack features or are off its surface; 130 Ctrl-C: the best so "
+      "far is written, if there is one");
   HexMeshingOptions& options = arguments.hexahedra.emplace();
   add_argument(
       *command, "MODEL", arguments.model,
@@ -40,6 +41,12 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
       "--inverted", arguments.output_options.inverted_hexahedra,
       "Write files for solvers (.inp, .msh, .mesh) even if hexahedra are inverted (turned inside "
       "out), with which solvers give wrong results");
+  command
+      ->add_option_function<std::string>(
+          "--accept", [&arguments](const std::string&) { arguments.accepts_approximate = true; },
+          "End with exit code 0 although hexahedra lack features of the model or are off its surface")
+      ->type_name("approximate")
+      ->check([](const std::string& text) { return fault_of_choice(text, {"approximate"}); });
   add_talk(*command, arguments);
   return command;
 }

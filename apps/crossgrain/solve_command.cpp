@@ -61,13 +61,20 @@ struct Job {
   }
 };
 
-/// No mesh of hexahedra fills the model.
-constexpr int kNotAllHex = 6;
+/// No mesh of hexahedra fills the model; one does, but not as it should.
+constexpr int kPartialHex = 6, kApproximateHex = 7;
 
-int exit_code_after(const SolveReport& report) {
+int exit_code_after(HexOutcome outcome, bool accepts_approximate) {
+  if (is_partial(outcome)) return kPartialHex;
+  return outcome == HexOutcome::kAllHex || accepts_approximate ? 0 : kApproximateHex;
+}
+
+int exit_code_after(const SolveReport& report, bool accepts_approximate) {
   const bool is_stopped = report.hexahedra && report.hexahedra->is_stopped;
   if (report.unfinished || is_stopped) return exit_code_of(ErrorKind::kInterrupted);
-  if (report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex) return kNotAllHex;
+  if (report.hexahedra)
+    if (const int code = exit_code_after(report.hexahedra->outcome, accepts_approximate); code != 0)
+      return code;
   const auto& warnings = report.warnings;
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
@@ -468,7 +475,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   if (arguments.quiet && is_short)
     print_message(arguments.model + ": " + line_of(*report.hexahedra, arguments));
   if (!arguments.quiet) print_result(summary_of(report, arguments));
-  return exit_code_after(report);
+  return exit_code_after(report, arguments.accepts_approximate);
 }
 
 }  // namespace crossgrain::app

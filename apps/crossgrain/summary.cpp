@@ -291,6 +291,12 @@ std::string advised(const Warning& warning, const SolveArguments& arguments) {
   return line_of(warning, command_of(arguments));
 }
 
+/// Whether hexahedra fill the model and are partial only since its solids are meshed apart.
+bool are_whole_but_apart(const HexReport& hexahedra) {
+  return hexahedra.outcome == HexOutcome::kPartial && hexahedra.left_out == 0 && hexahedra.open_edges == 0 &&
+         hexahedra.crowded_faces == 0 && hexahedra.quality.inverted == 0;
+}
+
 }  // namespace
 
 Command command_of(const SolveArguments& arguments) {
@@ -301,7 +307,7 @@ std::string line_of(const Warning& warning, const SolveArguments& arguments) {
   const bool is_of_solids =
       warning.kind == WarningKind::kTouchingSolids || warning.kind == WarningKind::kOverlappingSolids;
   const bool is_fault = arguments.hexahedra && is_of_solids && warning.remedy != Remedy::kNone;
-  return advised(warning, arguments) + (is_fault ? "; else the hexahedra are flawed (exit code 6)" : "");
+  return advised(warning, arguments) + (is_fault ? "; else the mesh is partial (exit code 6)" : "");
 }
 
 std::string line_of(const Answer& answer, Command command) {
@@ -366,7 +372,7 @@ bool is_said(const Warning& warning, const SolveReport& report) {
       warning.kind == WarningKind::kUnmergedVertices ||
       (warning.kind == WarningKind::kSurfaceFinding &&
        (begins_with(FindingKind::kTouchingComponents) || begins_with(FindingKind::kOverlappingComponents)));
-  return is_of_contact && report.hexahedra && report.hexahedra->outcome == HexOutcome::kFlawed;
+  return is_of_contact && report.hexahedra && are_whole_but_apart(*report.hexahedra);
 }
 
 bool is_always_printed(const Warning& warning) {

@@ -221,10 +221,10 @@ typedef enum crossgrain_phase {
 
 /** What became of hexahedra (HexOutcome). The report says why it is not the first. */
 typedef enum crossgrain_hex_outcome {
-  CROSSGRAIN_ALL_HEX = 0,     /**< they fill the model as it asks for, and none is inverted */
-  CROSSGRAIN_FLAWED_HEX = 1,  /**< they fill the model, but some are inverted, or not as it asks for */
-  CROSSGRAIN_PARTIAL_HEX = 2, /**< some are left out */
-  CROSSGRAIN_NO_HEX = 3       /**< none were found */
+  CROSSGRAIN_ALL_HEX = 0,         /**< valid, closed, and they keep the model's features and surface */
+  CROSSGRAIN_APPROXIMATE_HEX = 1, /**< valid and closed, but they lack features or are off the surface */
+  CROSSGRAIN_PARTIAL_HEX = 2,     /**< some are left out or inverted, or solids are meshed apart */
+  CROSSGRAIN_NO_HEX = 3           /**< none were found */
 } crossgrain_hex_outcome;
 
 typedef struct crossgrain_progress {

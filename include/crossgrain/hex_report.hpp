@@ -51,8 +51,8 @@ struct HexReport {
   HexOutcome outcome = HexOutcome::kNone;
 
   /// Why it is not kAllHex: what is wrong with the part, with a place and the faces there if they are known;
-  /// and the same in terms of map and field. Of kAllHex what is wrong with it all the same: a volume far off
-  /// the model's, hexahedra that are badly shaped.
+  /// and the same in terms of map and field. Of kAllHex what is wrong with it all the same: hexahedra that
+  /// are badly shaped.
   std::string reason, detail;
   Remedy remedy = Remedy::kNone;  ///< what to try then; kNone if nothing is known to help
   double remedy_number = 0;       ///< if `has_number`

@@ -132,9 +132,12 @@ struct GivenModel {
   std::vector<ModelFace> faces;  ///< ascending by number
   ModelSize size;                ///< exact for CAD models, otherwise that of the triangles
 
-  /// Triangles: of a CAD model finer than the tets, of a surface those given, as mended.
-  std::vector<Vector3> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Triangles around all solids: of a CAD model finer than the tets, with its creases, normals and numbers
+  /// of faces; of a surface those given, as mended, with numbers of faces.
+  TriangleMesh surface = {};
+
+  /// The angle by which its edges count as sharp, unless it brings its creases along.
+  double crease_angle_deg = 35;
 };
 
 /// A solid cut into tets that index vertices, in either orientation.

@@ -19,7 +19,7 @@ class Progress:
 
     PHASES = ("read", "grid", "solve", "analysis", "tets", "write", "make tets", "repair", "map", "hexahedra",
               "smooth")
-    OUTCOMES = ("all-hex", "flawed", "partial", "none")  # HexOutcome
+    OUTCOMES = ("all-hex", "approximate", "partial", "none")  # HexOutcome
 
     def __init__(self, content: Any):
         self.phase: str = self.PHASES[content.phase]

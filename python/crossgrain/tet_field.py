@@ -183,19 +183,19 @@ class HexMesh:
 
     @property
     def outcome(self) -> str:
-        """``"all-hex"``: they fill the model as it asks for, and none is inverted; ``"flawed"``: they fill
-        it, but some are inverted, or they are not what it asks for; ``"partial"``: some are left out;
-        ``"none"``."""
+        """``"all-hex"``: valid, closed, and they keep the model's features and surface; ``"approximate"``:
+        valid and closed, but they lack features or are off the surface; ``"partial"``: some are left out or
+        inverted, or solids that touch are meshed apart; ``"none"``."""
         return Progress.OUTCOMES[library.crossgrain_hexahedra_outcome(self._handle)]
 
     @property
     def is_all_hex(self) -> bool:
-        """Whether the hexahedra fill the model as it asks for, and none is inverted."""
+        """Whether the outcome is ``"all-hex"``."""
         return self.outcome == "all-hex"
 
     @property
     def reason(self) -> str:
-        """Why it is not all-hex, or what is wrong all the same (a volume far off, bad shapes), with a place
+        """Why it is not all-hex, or what is wrong all the same (bad shapes), with a place
         and what to try; empty if nothing is."""
         its_report = self.report["hexahedra"]
         return "; ".join(filter(None, [its_report.get("reason", ""), its_report.get("next", "")]))

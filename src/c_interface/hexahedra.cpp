@@ -10,7 +10,7 @@
 
 using namespace crossgrain;
 
-static_assert(static_cast<int>(HexOutcome::kFlawed) == CROSSGRAIN_FLAWED_HEX);
+static_assert(static_cast<int>(HexOutcome::kApproximate) == CROSSGRAIN_APPROXIMATE_HEX);
 static_assert(static_cast<int>(HexOutcome::kNone) == CROSSGRAIN_NO_HEX);
 
 crossgrain_hexahedra::crossgrain_hexahedra(Hexahedra its_hexahedra)

@@ -24,8 +24,7 @@ struct MadeHexahedra {
 
   HexOutcome outcome() const {
     if (mesh.hexahedra.empty()) return HexOutcome::kNone;
-    if (!fills) return HexOutcome::kPartial;
-    return are_complete() ? HexOutcome::kAllHex : HexOutcome::kFlawed;
+    return are_complete() ? HexOutcome::kAllHex : HexOutcome::kPartial;
   }
 };
 

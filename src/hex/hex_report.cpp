@@ -90,7 +90,7 @@ Explanation first_fault(const SolveReport::Singularity& graph, const FaceNoun& n
 
 Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
   const HexAttempt& attempt = best.attempt;
-  if (report.outcome == HexOutcome::kFlawed)
+  if (best.made && best.made->fills)
     return {
         fmt::format("they fill the model, but {} turned inside out",
                     report.quality.inverted == 1 ? "one is" : fmt::format("{} are", report.quality.inverted)),
@@ -204,10 +204,11 @@ void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport
   measure_fit(mesh, model, fit_to, report);
 }
 
-void explain_poor(const HexMesh& mesh, const std::vector<HexAttempt>& attempts, double least_quality,
-                  HexReport& report) {
+void judge_fit(const HexMesh& mesh, const std::vector<HexAttempt>& attempts, double least_quality,
+               HexReport& report) {
   const std::optional<double> size = size_for_volume(report, mesh.boundary.size());
   if (size) {
+    report.outcome = HexOutcome::kApproximate;
     report.reason = words_of_volume(report);
     report.remedy = Remedy::kUseHexSize;
     report.remedy_number = *size;

@@ -54,8 +54,8 @@ void choose_size(const std::vector<ModelFace>& faces, const TetSolid& solid, Hex
 }
 
 /// Adds what faces without quads and the fit say of hexahedra that fill the model.
-void warn_of_fit(const TetSolid& solid, const HexReport& report, SolveReport& whole) {
-  if (report.outcome == HexOutcome::kPartial || report.outcome == HexOutcome::kNone) return;
+void warn_of_fit(const TetSolid& solid, bool fills, const HexReport& report, SolveReport& whole) {
+  if (!fills) return;
   for (std::optional<Warning>& warning :
        std::array{faces_without_quads(whole.faces, solid, report), poor_fit(report)})
     if (warning) whole.warnings.push_back(std::move(*warning));
@@ -99,16 +99,15 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   const bool has_inner_boundary = !contacts.empty() && contacts.front().is_of_areas();
   measure(mesh, followed.solid(), has_inner_boundary ? FitTo::kTets : FitTo::kGivenModel, report);
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
-  mesh.is_partial = is_partial(report.outcome);
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
   explain(best, queue.attempts(), report);
   SolveReport whole = field.report();
   judge_solids(mesh, field.domain(), contacts, report, whole);
-  if (report.outcome == HexOutcome::kAllHex)
-    explain_poor(mesh, queue.attempts(), queue.least_quality(), report);
+  if (report.outcome == HexOutcome::kAllHex) judge_fit(mesh, queue.attempts(), queue.least_quality(), report);
+  mesh.is_partial = is_partial(report.outcome);
   count_quads(mesh, whole.faces);
   choose_size(whole.faces, followed.solid(), report);
-  const bool is_up_to_solids = report.outcome == HexOutcome::kFlawed && best.made->are_complete();
+  const bool is_up_to_solids = is_partial(report.outcome) && best.made->are_complete();
   if (queue.is_stopped() && !is_up_to_solids) report.remedy = Remedy::kLetFinish;
   report.attempts = queue.attempts();
   report.best_attempt = queue.best_attempt();
@@ -119,7 +118,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.extraction_seconds = seconds.extraction;
   report.smoothing_seconds = seconds.smoothing;
   report.analysis_seconds = stopwatch.restart();
-  warn_of_fit(followed.solid(), report, whole);
+  warn_of_fit(followed.solid(), best.made->fills, report, whole);
   if (queue.limit() && report.outcome != HexOutcome::kAllHex)
     whole.warnings.push_back(ended_at(*queue.limit()));
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);

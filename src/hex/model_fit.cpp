@@ -199,8 +199,8 @@ void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexRep
     report.model = given->source;
     report.model_volume = given->size.volume;
     report.model_area = given->size.area;
-    triangles.vertices = given->vertices;
-    triangles.triangles = given->triangles;
+    triangles.vertices = given->surface.vertices;
+    triangles.triangles = given->surface.triangles;
   } else {
     report.model = ModelSource::kTets;
     report.model_volume = volume_of(tets.mesh);
@@ -276,7 +276,7 @@ std::optional<Warning> poor_fit(const HexReport& report) {
   const double distance = is_off ? report.largest_distance : report.largest_distance_of_model;
   const Vector3& at = is_off ? report.largest_distance_place : report.largest_distance_of_model_place;
   std::vector<std::string> faults;
-  if (std::abs(missed) > kPoorVolume && report.outcome != HexOutcome::kAllHex)
+  if (std::abs(missed) > kPoorVolume && is_partial(report.outcome))
     faults.push_back(fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
                                  missed < 0 ? "less" : "more"));
   if (distance > kPoorDistance * report.used_size)

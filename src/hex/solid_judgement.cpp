@@ -19,7 +19,7 @@ namespace {
 constexpr double kOnInterface = 0.05;
 
 void judge_contacts(const std::vector<BodyContact>& contacts, HexReport& report) {
-  report.outcome = HexOutcome::kFlawed;
+  report.outcome = HexOutcome::kPartial;
   for (const BodyContact& contact : contacts)
     if (report.places.size() < HexReport::kMostPlaces) report.places.push_back(contact.place);
   const Warning warning = warning_of(contacts);
@@ -28,7 +28,7 @@ void judge_contacts(const std::vector<BodyContact>& contacts, HexReport& report)
 }
 
 void judge_empty_solids(const std::vector<std::int32_t>& empty, HexReport& report) {
-  report.outcome = HexOutcome::kFlawed;
+  report.outcome = HexOutcome::kPartial;
   report.reason =
       empty.size() == 1
           ? fmt::format("solid {} is smaller than the hexahedra and has none", empty.front())
@@ -65,12 +65,12 @@ void judge_solids(const HexMesh& mesh, const TetDomain& domain, const std::vecto
             interfaces.off, counted(interfaces.faces, "face"), interfaces.largest_distance,
             interfaces.largest_distance / report.used_size, words_of_place(interfaces.place)));
   }
-  const bool is_flawed = !contacts.empty() && contacts.front().is_of_areas();
+  const bool are_in_contact = !contacts.empty() && contacts.front().is_of_areas();
   const bool is_whole = report.outcome == HexOutcome::kAllHex;
   if (!contacts.empty()) remove_contacts(domain.warnings(), whole.warnings);
-  if (!contacts.empty() && !(is_flawed && is_whole)) whole.warnings.push_back(warning_of(contacts));
+  if (!contacts.empty() && !(are_in_contact && is_whole)) whole.warnings.push_back(warning_of(contacts));
   if (!is_whole) return;
-  if (is_flawed) {
+  if (are_in_contact) {
     judge_contacts(contacts, report);
   } else if (!interfaces.empty_regions.empty() && !is_united) {
     judge_empty_solids(interfaces.empty_regions, report);

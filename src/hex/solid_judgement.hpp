@@ -9,7 +9,7 @@
 namespace crossgrain {
 
 /// Judges complete hexahedra by the solids of their model (its tets, with all their contacts), in two ways.
-/// Sets HexOutcome::kFlawed with reason, remedy and places where solids touch without common vertices,
+/// Sets HexOutcome::kPartial with reason, remedy and places where solids touch without common vertices,
 /// overlap, or have no hexahedra. Warns (WarningKind::kCrossedInterfaces) where the faces between hexahedra
 /// of two solids are off the faces between these. A model whose solids are united is asked only about those
 /// that share no vertices.

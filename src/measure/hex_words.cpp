@@ -47,7 +47,7 @@ std::string sizes_of(const HexReport& report) {
   const auto made = static_cast<double>(report.hexahedra);
   const double expected =
       std::max(1.0, report.expected > 0 ? report.expected : report.model_volume / std::pow(report.size, 3));
-  const bool is_whole = report.outcome == HexOutcome::kAllHex || report.outcome == HexOutcome::kFlawed;
+  const bool is_whole = report.outcome == HexOutcome::kAllHex || report.outcome == HexOutcome::kApproximate;
   const bool is_smaller = report.used_size<report.size, is_more = made> kAsExpected * expected,
              is_less = made * kAsExpected < expected;
   if (!is_whole || !(is_smaller || is_more || is_less))
@@ -108,7 +108,7 @@ std::string words_of_shapes(const HexReport& report) {
 }  // namespace
 
 const char* name_of(HexOutcome outcome) {
-  constexpr std::array kNames{"all-hex", "flawed", "partial", "none"};
+  constexpr std::array kNames{"all-hex", "approximate", "partial", "none"};
   return name_among<HexOutcome::kNone>(kNames, outcome);
 }
 

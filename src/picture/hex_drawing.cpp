@@ -137,8 +137,8 @@ const char* title_of(HexOutcome outcome) {
   switch (outcome) {
     case HexOutcome::kAllHex:
       return "All-hex";
-    case HexOutcome::kFlawed:
-      return "Flawed mesh";
+    case HexOutcome::kApproximate:
+      return "Approximate mesh";
     default:
       return "Partial mesh";
   }

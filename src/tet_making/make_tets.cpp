@@ -173,22 +173,23 @@ CreaseAngles creases_of(const TetMakingTuning& options) {
   return {.least_deg = options.crease_angle_deg};
 }
 
-std::shared_ptr<const GivenModel> given_cad(const TriangleMesh& mesh) {
+std::shared_ptr<const GivenModel> given_cad(const TriangleMesh& mesh, double crease_angle_deg) {
   const SolidSplit split = split_solids(CheckedMesh(mesh), /*unite=*/true);
   const TriangleMesh& outer = *split.outer;
   const bool is_exact = mesh.exact_size.volume > 0;
-  return std::make_shared<const GivenModel>(
-      GivenModel{is_exact ? ModelSource::kCad : ModelSource::kSurface, mesh.face_list,
-                 is_exact ? mesh.exact_size : size_of(outer.vertices, outer.triangles), outer.vertices,
-                 outer.triangles});
+  return std::make_shared<const GivenModel>(GivenModel{
+      is_exact ? ModelSource::kCad : ModelSource::kSurface, mesh.face_list,
+      is_exact ? mesh.exact_size : size_of(outer.vertices, outer.triangles), outer, crease_angle_deg});
 }
 
-std::shared_ptr<const GivenModel> given_surface(const PatchedSurface& surface, FaceKind kind) {
-  std::vector<std::int32_t> numbers;
-  for (const std::uint32_t patch : surface.patch_of) numbers.push_back(surface.tags[patch]);
+std::shared_ptr<const GivenModel> given_surface(const PatchedSurface& surface, FaceKind kind,
+                                                double crease_angle_deg) {
+  TriangleMesh mesh{surface.vertices, surface.triangles};
+  for (const std::uint32_t patch : surface.patch_of) mesh.faces.push_back(surface.tags[patch]);
+  std::vector<ModelFace> faces = listed_faces(mesh.vertices, mesh.triangles, mesh.faces, kind);
+  const ModelSize size = size_of(mesh.vertices, mesh.triangles);
   return std::make_shared<const GivenModel>(
-      GivenModel{ModelSource::kSurface, listed_faces(surface.vertices, surface.triangles, numbers, kind),
-                 size_of(surface.vertices, surface.triangles), surface.vertices, surface.triangles});
+      GivenModel{ModelSource::kSurface, std::move(faces), size, std::move(mesh), crease_angle_deg});
 }
 
 /// Of the triangles of a CAD file that hexahedra are measured against: they are within 0.02 % of the longest
@@ -233,7 +234,7 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning&
   TetMesh mesh = std::move(attempts).result();
   mesh.unit = model.mesh.unit;
   mesh.file_unit = model.mesh.file_unit;
-  mesh.given = given_cad(model.mesh);
+  mesh.given = given_cad(model.mesh, options.crease_angle_deg);
   add_first(mesh.warnings, model.mesh.warnings);
   return mesh;
 }
@@ -268,7 +269,8 @@ TetMesh triangle_tets(TriangleMesh given, const TetMakingTuning& options, const 
   result.unit = unit;
   result.file_unit = file_unit;
   result.given =
-      given_surface(triangles, surface.surface().mesh.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged);
+      given_surface(triangles, surface.surface().mesh.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged,
+                    options.crease_angle_deg);
   add_first(result.warnings, mended);
   add_first(result.warnings, reading);
   return result;

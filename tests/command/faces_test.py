@@ -78,7 +78,8 @@ class Faces(CommandTest):
         self.assertGreater(missed, 10)
         self.assertEqual(hexahedra["reason"], f"its volume is {missed:.2g} % below the model's")
         self.assertEqual(hexahedra["remedy"], "use_hex_size")
-        self.assertIn(f"all-hex, but {hexahedra['reason']}: try --size {hexahedra['remedy_number']:g}", self.printed)
+        self.assertIn(f"; {hexahedra['reason']}; try --size {hexahedra['remedy_number']:g} (about ", self.printed)
+        self.assertEqual(hexahedra["outcome"], "approximate")
 
 
 if __name__ == "__main__":

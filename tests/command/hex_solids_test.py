@@ -36,8 +36,8 @@ class OfTriangles(HexSolidsTest):
         low, high = box_triangles((4.0, 4.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (0.7, 0.9, 2)
         self.write("two.stl", stl_bytes(np.concatenate([low, high])))
         line = self.hex("two.stl", *FEW, code=NOT_ALL_HEX)
-        self.assertRegex(line, "flawed.* in 2 bodies; solids that touch are meshed apart, as warned; unite them")
-        self.assertEqual(self.report["hexahedra"]["outcome"], "flawed")
+        self.assertRegex(line, "partial.* in 2 bodies; solids that touch are meshed apart, as warned; unite them")
+        self.assertEqual(self.report["hexahedra"]["outcome"], "partial")
         self.assertEqual(self.result.stderr.count("warning: "), 1, self.result.stderr)
         # What it says helps.
         self.write("one.stl", stl_bytes(box_triangles((4.0, 4.0, 4.0))))
@@ -84,7 +84,7 @@ class OfTets(HexSolidsTest):
         cells = np.concatenate([tets, tets + len(vertices)])
         self.write("apart.mesh", medit_text(both, cells))
         line = self.hex("apart.mesh", "--size", "1", code=NOT_ALL_HEX)
-        self.assertRegex(line, "flawed.*touch.*; mesh them together, with common vertices")
+        self.assertRegex(line, "partial.*touch.*; mesh them together, with common vertices")
         _, first, number = np.unique(np.round(both, 9), axis=0, return_index=True, return_inverse=True)
         self.write("joined.mesh", medit_text(both[first], number.reshape(-1)[cells]))
         self.assertRegex(self.hex("joined.mesh", "--size", "1"), "all-hex: 16 of 1$")
@@ -98,8 +98,8 @@ class OfCadFiles(HexSolidsTest):
 
     def test_touching_solids_are_a_success_once_they_are_glued(self):
         line = self.hex("stacked.brep", "--cells", "8", "--tet-size", "4", code=NOT_ALL_HEX)
-        self.assertRegex(line, "flawed.* in 2 bodies; solids that touch are meshed apart, as warned; glue them with --glue$")
-        self.assertRegex(self.result.stderr, "warning: stacked.brep: solids 1 and 2 touch.*; glue them with --glue; else the hexahedra are flawed \\(exit code 6\\)\n")
+        self.assertRegex(line, "partial.* in 2 bodies; solids that touch are meshed apart, as warned; glue them with --glue$")
+        self.assertRegex(self.result.stderr, "warning: stacked.brep: solids 1 and 2 touch.*; glue them with --glue; else the mesh is partial \\(exit code 6\\)\n")
         self.assertNotIn("merge equal vertices", self.result.stdout + self.result.stderr)
         self.assertEqual(self.result.stderr.count("warning: "), 1, self.result.stderr)
         line = self.hex("stacked.brep", "--cells", "8", "--tet-size", "4", "--glue")
@@ -109,7 +109,7 @@ class OfCadFiles(HexSolidsTest):
 
     def test_overlapping_solids_are_a_success_once_they_are_glued(self):
         line = self.hex("overlapping.brep", "--cells", "8", "--tet-size", "4", code=NOT_ALL_HEX)
-        self.assertRegex(line, "flawed.*; solids overlap, as warned; .*--glue")
+        self.assertRegex(line, "partial.*; solids overlap, as warned; .*--glue")
         self.assertEqual((self.result.stdout + self.result.stderr).count("solids 1 and 2 overlap, and both are meshed whole"), 1)
         self.assertRegex(self.hex("overlapping.brep", "--cells", "15", "--tet-size", "4", "--glue"), r"all-hex: \d+ of [0-9.]+$")
 

@@ -14,7 +14,7 @@ from field_reader import read_arrays
 from frame_math import CUBE_ROTATIONS
 from program import PROGRAM, CommandTest, box_triangles, cylinder_triangles, medit_text, stl_bytes, tet_box, tilt
 
-USAGE, INPUT, OUTPUT, NOT_ALL_HEX, INTERRUPTED = 2, 3, 4, 6, 130
+USAGE, INPUT, OUTPUT, NOT_ALL_HEX, APPROXIMATE, INTERRUPTED = 2, 3, 4, 6, 7, 130
 FILES = [f"hexahedra.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
 
 TIP, RIM = np.array([0, 0, 1.0]), np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)
@@ -183,13 +183,18 @@ class HexTest(CommandTest):
 
     def test_a_volume_far_off_is_told_first_with_a_size_that_helps(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
-        made = self.hexahedra("cylinder.stl", "--size", "0.5", "--tet-size", "0.5")
+        made = self.hexahedra("cylinder.stl", "--size", "0.5", "--tet-size", "0.5", code=APPROXIMATE)
+        self.assertEqual(made["outcome"], "approximate")
         off = 100 * (1 - made["volume"] / made["model_volume"])
         row = next(line for line in self.result.stdout.splitlines() if line.startswith("hexahedra"))
-        self.assertRegex(row, rf"^hexahedra  all-hex, but its volume is {off:.2g} % below the model's: try --size [\d.]+ \(about \d+\); \d+ of 0.5")
+        self.assertRegex(row, rf"^hexahedra  approximate: \d+ of 0.5.*; its volume is {off:.2g} % below the model's; try --size [\d.]+ \(about \d+\)$")
         self.assertEqual(made["remedy"], "use_hex_size")
         self.assertIn(f"try --size {made['remedy_number']:g} (about ", row)
         self.assertNotIn("volume than the model", self.result.stdout)
+        self.assertIn("hexahedra.inp", self.files_of_hexahedra())
+        with self.subTest("accepted"):
+            self.hexahedra("cylinder.stl", "--size", "0.5", "--tet-size", "0.5", "--accept", "approximate")
+            self.assertIn("--accept", self.run_here("hex", "cylinder.stl", "--accept", "partial").stderr.decode())
         # What it says helps.
         self.assertNotIn("reason", self.hexahedra("cylinder.stl", "--size", f"{made['remedy_number']:g}", "--tet-size", "0.5"))
 

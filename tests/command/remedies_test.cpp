@@ -66,7 +66,7 @@ TEST(WarningsOfSolids, TellBeforeTheWorkHowHexahedraEnd) {
   EXPECT_EQ(line_of(touching, arguments), "solids 1 and 2 touch; glue them with --glue");
   arguments.hexahedra.emplace();
   EXPECT_EQ(line_of(touching, arguments),
-            "solids 1 and 2 touch; glue them with --glue; else the hexahedra are flawed (exit code 6)");
+            "solids 1 and 2 touch; glue them with --glue; else the mesh is partial (exit code 6)");
   EXPECT_EQ(line_of(Warning(WarningKind::kTouchingSolids, "they meet in a point"), arguments),
             "they meet in a point");
 }

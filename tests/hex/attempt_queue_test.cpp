@@ -315,13 +315,13 @@ TEST(AttemptQueue, TellsWhyNothingFollowsUnlessTheMeshIsGood) {
   EXPECT_EQ(exhausted.next, "");
 }
 
-TEST(AttemptQueue, CallsAMeshThatFillsTheModelFlawedIfAHexahedronIsInverted) {
-  HexCandidate flawed = candidate_that_misses(0), partial = candidate_that_misses(0.01);
-  flawed.made->quality.inverted = 1;
-  EXPECT_EQ(flawed.made->outcome(), HexOutcome::kFlawed);
+TEST(AttemptQueue, CallsAMeshThatFillsTheModelPartialIfAHexahedronIsInverted) {
+  HexCandidate inverted = candidate_that_misses(0), partial = candidate_that_misses(0.01);
+  inverted.made->quality.inverted = 1;
+  EXPECT_EQ(inverted.made->outcome(), HexOutcome::kPartial);
   EXPECT_EQ(partial.made->outcome(), HexOutcome::kPartial);
-  flawed.made->volume_missed = 0.02;
-  EXPECT_TRUE(is_better(flawed, partial, 0));
+  inverted.made->volume_missed = 0.02;
+  EXPECT_TRUE(is_better(inverted, partial, 0));
   partial.made->mesh.hexahedra.clear();
   EXPECT_EQ(partial.made->outcome(), HexOutcome::kNone);
 }

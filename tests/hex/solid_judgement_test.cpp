@@ -42,7 +42,7 @@ TetMesh two_regions(double slope) {
 
 TEST(SolidJudgement, OfBodiesThatTouchWithoutCommonVerticesIsFlawed) {
   const HexReport report = made_of(together({box({3, 3, 2}), moved(box({2, 2, 2}), {0.4, 0.6, 2})})).report();
-  EXPECT_EQ(report.outcome, HexOutcome::kFlawed);
+  EXPECT_EQ(report.outcome, HexOutcome::kPartial);
   EXPECT_EQ(report.reason.find("solids 1 and 2 touch, but are meshed apart, without common vertices, at "),
             0u)
       << report.reason;
@@ -56,7 +56,7 @@ TEST(SolidJudgement, OfBodiesThatOverlapIsFlawedWhichNothingElseSaysInOtherWords
   const HexReport& report = made.report();
   for (const Warning& warning : made.field.report().warnings)
     EXPECT_EQ(warning.text.find("overlap"), std::string::npos) << warning.text;
-  EXPECT_EQ(report.outcome, HexOutcome::kFlawed);
+  EXPECT_EQ(report.outcome, HexOutcome::kPartial);
   EXPECT_EQ(report.reason.find("solids 1 and 2 overlap, and both are meshed whole, one in the other, at "),
             0u)
       << report.reason;
@@ -96,7 +96,7 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
 TEST(SolidJudgement, OfASolidWithoutHexahedraIsFlawed) {
   const auto region_of = [](const Vector3& p) { return p[0] < 1 && p[1] < 1 && p[2] < 1 ? 2 : 1; };
   const HexReport report = made_of(with_regions(box({6, 6, 6}), region_of), 3).report();
-  EXPECT_EQ(report.outcome, HexOutcome::kFlawed);
+  EXPECT_EQ(report.outcome, HexOutcome::kPartial);
   EXPECT_EQ(report.reason, "solid 2 is smaller than the hexahedra and has none");
   EXPECT_EQ(report.remedy, Remedy::kTakeSmallerHexahedra);
   EXPECT_EQ(made_of(with_regions(box({6, 6, 6}), region_of), 1).report().outcome, HexOutcome::kAllHex);

@@ -91,27 +91,29 @@ TEST(SentenceOfHexahedra, TellsWhatAPartLacksAndWhere) {
   EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra of 2; " + report.reason);
 }
 
-TEST(SentenceOfHexahedra, TellsFirstWhatIsWrongWithAWholeMeshAndWhatHelps) {
+TEST(SentenceOfHexahedra, TellsWhatIsWrongWithAnApproximateMeshAndWhatHelps) {
   HexReport report = whole();
+  report.outcome = HexOutcome::kApproximate;
   report.reason = "its volume is 22 % below the model's";
   report.remedy = Remedy::kUseHexSize;
   report.remedy_number = 0.15;
   EXPECT_EQ(
       sentence_of(report, "try --size 0.15"),
-      "all-hex, but its volume is 22 % below the model's: try --size 0.15 (about 2.4 million); 1000 of 2");
+      "approximate: 1000 of 2; its volume is 22 % below the model's; try --size 0.15 (about 2.4 million)");
   EXPECT_EQ(sentence_of(report),
-            "all-hex, but its volume is 22 % below the model's: use hexahedra of 0.15 (about 2.4 million); "
-            "1000 of 2");
+            "approximate: 1000 of 2; its volume is 22 % below the model's; use hexahedra of 0.15 (about 2.4 "
+            "million)");
 }
 
 TEST(SentenceOfHexahedra, CountsAtTheSizeThatHelpsWhatWallsAddToTheForecast) {
   HexReport report = whole();
+  report.outcome = HexOutcome::kApproximate;
   report.reason = "its volume is 22 % below the model's";
   report.remedy = Remedy::kUseHexSize;
   report.remedy_number = 1;
   report.expected = 1500;
   EXPECT_EQ(sentence_of(report, "try --size 1"),
-            "all-hex, but its volume is 22 % below the model's: try --size 1 (about 10000); 1000 of 2");
+            "approximate: 1000 of 2; its volume is 22 % below the model's; try --size 1 (about 10000)");
 }
 
 TEST(SentenceOfHexahedra, TellsFirstThatTheSearchWasStopped) {

@@ -177,8 +177,8 @@ TEST_F(HexPicture, SaysInItsLegendWhatTheMeshIsAndHowGood) {
   HexReport report;
   report.outcome = HexOutcome::kAllHex;
   EXPECT_EQ(legend(mesh, &report).substr(0, 24), "All-hex: 120 hexahedra\nS");
-  report.outcome = HexOutcome::kFlawed;
-  EXPECT_EQ(legend(mesh, &report).substr(0, 28), "Flawed mesh: 120 hexahedra\nS");
+  report.outcome = HexOutcome::kApproximate;
+  EXPECT_EQ(legend(mesh, &report).substr(0, 33), "Approximate mesh: 120 hexahedra\nS");
   report.outcome = HexOutcome::kPartial;
   report.reason = "no map: 2 tets stay inverted";
   EXPECT_EQ(legend(mesh, &report).substr(0, 60),

@@ -76,8 +76,8 @@ TEST(ModelFacesOfTets, AreTheTaggedOnesWithTheSolidsThatTheyBound) {
 TEST(ModelFacesOfTets, AreThoseOfTheModelThatTheTetsWereMadeOf) {
   TetMesh mesh = kBox.mesh();
   mesh.feature_faces = {{{kBox.at(0, 0, 0), kBox.at(0, 1, 0), kBox.at(0, 1, 1)}, 2}};
-  mesh.given = std::make_shared<const GivenModel>(
-      GivenModel{ModelSource::kCad, {{5, FaceKind::kSphere, 2}}, {}, {}, {}});
+  mesh.given =
+      std::make_shared<const GivenModel>(GivenModel{ModelSource::kCad, {{5, FaceKind::kSphere, 2}}, {}});
   const std::vector<ModelFace> faces = model_faces(solid_of(mesh), {});
   ASSERT_EQ(faces.size(), 1u);
   EXPECT_EQ(faces[0].kind, FaceKind::kSphere);

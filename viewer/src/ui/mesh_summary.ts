@@ -16,7 +16,7 @@ import { number } from "./summary.ts";
 
 const kOutcomes: Record<string, Badge> = {
   "all-hex": { judgement: "good", short: "all-hex", sign: "✓" },
-  flawed: { judgement: "unsure", short: "flawed mesh", sign: "!" },
+  approximate: { judgement: "unsure", short: "approximate mesh", sign: "!" },
   partial: { judgement: "unsure", short: "partial mesh", sign: "!" },
   none: { judgement: "bad", short: "no mesh", sign: "!" },
 };
