@@ -62,11 +62,11 @@ Bezier determinant_of(const ScaledEdges& edges) {
   return sums;
 }
 
-struct Box {
+struct ParameterBox {
   Bezier coefficients;
   double lower;
 
-  explicit Box(const Bezier& values)
+  explicit ParameterBox(const Bezier& values)
       : coefficients(values), lower(*std::min_element(values.begin(), values.end())) {}
 
   /// The least at a corner, where coefficients are values.
@@ -98,7 +98,7 @@ std::array<Bezier, 2> halves_of(const Bezier& whole, std::size_t step) {
 }
 
 /// Adds the eighths of a box.
-void add_eighths(const Bezier& whole, std::vector<Box>& boxes) {
+void add_eighths(const Bezier& whole, std::vector<ParameterBox>& boxes) {
   for (const Bezier& half : halves_of(whole, 9))
     for (const Bezier& quarter : halves_of(half, 3))
       for (const Bezier& eighth : halves_of(quarter, 1)) boxes.emplace_back(eighth);
@@ -109,11 +109,11 @@ template <class IsEnough>
 JacobianBounds bounded(const HexCorners& corners, const IsEnough& is_enough) {
   const ScaledEdges edges = edges_of_box(corners);
   if (edges.are_degenerate) return {0, 0};
-  const Box whole(determinant_of(edges));
+  const ParameterBox whole(determinant_of(edges));
   JacobianBounds bounds{whole.lower, whole.upper()};
   if (is_enough(bounds)) return bounds;
-  const auto is_higher = [](const Box& a, const Box& b) { return a.lower > b.lower; };
-  std::vector<Box> heap{whole};
+  const auto is_higher = [](const ParameterBox& a, const ParameterBox& b) { return a.lower > b.lower; };
+  std::vector<ParameterBox> heap{whole};
   for (int cut = 0; cut < kMostCuts && !is_enough(bounds); ++cut) {
     std::pop_heap(heap.begin(), heap.end(), is_higher);
     const Bezier lowest = heap.back().coefficients;
