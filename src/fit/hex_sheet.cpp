@@ -197,7 +197,7 @@ bool fill_crowded_edges(const HexMesh& mesh, std::vector<std::array<std::uint32_
 HexSheet sheet_around(const HexMesh& mesh, std::vector<std::uint8_t> is_shrunk,
                       const std::vector<std::uint32_t>& opposite,
                       const std::function<bool(std::uint32_t side)>& is_covered) {
-  HexSheet sheet{std::move(is_shrunk), {}};
+  HexSheet sheet{std::move(is_shrunk), {}, false};
   for (;;) {
     sheet.sides.clear();
     for (std::uint32_t side = 0; side < opposite.size(); ++side) {
@@ -207,8 +207,11 @@ HexSheet sheet_around(const HexMesh& mesh, std::vector<std::uint8_t> is_shrunk,
       if (is_border || is_covered(side) || (other != kNoSide && is_covered(other)))
         sheet.sides.push_back(side);
     }
-    if (!fill_crowded_edges(mesh, SheetFans(mesh, sheet, opposite).crowded_edges(sheet), sheet.is_shrunk))
+    const auto crowded = SheetFans(mesh, sheet, opposite).crowded_edges(sheet);
+    if (!fill_crowded_edges(mesh, crowded, sheet.is_shrunk)) {
+      sheet.is_crowded = !crowded.empty();
       return sheet;
+    }
   }
 }
 

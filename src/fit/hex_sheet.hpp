@@ -24,6 +24,9 @@ struct HexSheet {
   /// Sides of the set, as in fit/hex_sides.hpp, on which a hexahedron is put: all towards hexahedra outside
   /// the set; of sides on the boundary and of pairs between two in the set any. Ascending.
   std::vector<std::uint32_t> sides;
+
+  /// Whether several quads of the layer would be one: `insert_sheet` is not to be called.
+  bool is_crowded = false;
 };
 
 /// Returns the sheet around a set, which also covers those sides on the boundary, or of pairs within the set,
