@@ -49,7 +49,7 @@ std::string edges_at(const Singularity::Corner& corner) {
 }  // namespace
 
 FaceNoun noun_of(const std::vector<ModelFace>& faces) {
-  return !faces.empty() && faces.front().kind == FaceKind::kPatch ? kPatch : kFace;
+  return !faces.empty() && faces.front().kind == FaceKind::kPatch ? kPatchNoun : kFaceNoun;
 }
 
 std::string words_of_faces(const std::vector<std::int32_t>& faces, const FaceNoun& noun) {

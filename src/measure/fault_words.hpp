@@ -16,10 +16,10 @@ struct FaceNoun {
   const char* several;
 };
 
-inline constexpr FaceNoun kFace{"face", "faces"}, kPatch{"patch", "patches"};
+inline constexpr FaceNoun kFaceNoun{"face", "faces"}, kPatchNoun{"patch", "patches"};
 
-/// Returns kPatch for the patches between creases of a surface of triangles, whose numbers stand in no file,
-/// otherwise kFace.
+/// Returns kPatchNoun for the patches between creases of a surface of triangles, whose numbers stand in no
+/// file, otherwise kFaceNoun.
 FaceNoun noun_of(const std::vector<ModelFace>& faces);
 
 /// Returns faces by their numbers: "face 3", "patches 3, 5 and 9"; empty without numbers.

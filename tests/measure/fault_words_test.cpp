@@ -10,25 +10,25 @@ using Corner = FieldAnalysis::Singularity::Corner;
 using Node = FieldAnalysis::Singularity::Node;
 
 TEST(WordsOfFaces, AreTheirNumbersEachOnce) {
-  EXPECT_EQ(words_of_faces({}, kFace), "");
-  EXPECT_EQ(words_of_faces({7, 7}, kFace), "face 7");
-  EXPECT_EQ(words_of_faces({3, 5, 3, 9}, kFace), "faces 3, 5 and 9");
-  EXPECT_EQ(words_of_faces({1, 2, 3, 4, 5, 6}, kFace), "faces 1, 2, 3, 4 and 2 others");
+  EXPECT_EQ(words_of_faces({}, kFaceNoun), "");
+  EXPECT_EQ(words_of_faces({7, 7}, kFaceNoun), "face 7");
+  EXPECT_EQ(words_of_faces({3, 5, 3, 9}, kFaceNoun), "faces 3, 5 and 9");
+  EXPECT_EQ(words_of_faces({1, 2, 3, 4, 5, 6}, kFaceNoun), "faces 1, 2, 3, 4 and 2 others");
 }
 
 TEST(WordsOfFaces, LeaveOutThoseWithoutANumber) {
-  EXPECT_EQ(words_of_faces({0}, kFace), "");
-  EXPECT_EQ(words_of_faces({0, 4}, kFace), "face 4");
+  EXPECT_EQ(words_of_faces({0}, kFaceNoun), "");
+  EXPECT_EQ(words_of_faces({0, 4}, kFaceNoun), "face 4");
   FieldAnalysis::Singularity::Corner corner;
   corner.narrowest_deg = 60;
   corner.faces = {0};
   corner.creases = {1, 1, 1, 1};
-  EXPECT_EQ(fault_of(corner, kFace), "no hexahedra fit in a corner where 4 convex edges meet");
+  EXPECT_EQ(fault_of(corner, kFaceNoun), "no hexahedra fit in a corner where 4 convex edges meet");
   corner.narrowest_deg = 2;
   corner.faces = {4, 0, 5};
-  EXPECT_EQ(fault_of(corner, kFace), "face 4 tapers to nothing");
+  EXPECT_EQ(fault_of(corner, kFaceNoun), "face 4 tapers to nothing");
   corner.faces = {0, 4, 5};
-  EXPECT_EQ(fault_of(corner, kFace), "a face tapers to nothing");
+  EXPECT_EQ(fault_of(corner, kFaceNoun), "a face tapers to nothing");
 }
 
 TEST(WordsOfFaces, CallThoseOfASurfaceOfTrianglesPatches) {
@@ -36,7 +36,7 @@ TEST(WordsOfFaces, CallThoseOfASurfaceOfTrianglesPatches) {
   EXPECT_EQ(words_of_faces({7, 8}, noun_of({{.number = 7, .kind = FaceKind::kPatch}})), "patches 7 and 8");
   EXPECT_EQ(words_of_faces({7}, noun_of({{.number = 7, .kind = FaceKind::kPlane}})), "face 7");
   EXPECT_EQ(words_of_faces({7}, noun_of({})), "face 7");
-  EXPECT_EQ(between({7, 8}, kPatch), " between patches 7 and 8");
+  EXPECT_EQ(between({7, 8}, kPatchNoun), " between patches 7 and 8");
 }
 
 TEST(FaultOfACorner, NamesTheFaceThatTapersAndThoseBesideIt) {
@@ -44,9 +44,9 @@ TEST(FaultOfACorner, NamesTheFaceThatTapersAndThoseBesideIt) {
   corner.creases = {1, 3};
   corner.faces = {9, 12, 17};
   corner.narrowest_deg = 8;
-  EXPECT_EQ(fault_of(corner, kFace), "face 9 tapers to nothing between faces 17 and 12");
+  EXPECT_EQ(fault_of(corner, kFaceNoun), "face 9 tapers to nothing between faces 17 and 12");
   corner.faces = {};
-  EXPECT_EQ(fault_of(corner, kFace), "a face tapers to nothing");
+  EXPECT_EQ(fault_of(corner, kFaceNoun), "a face tapers to nothing");
 }
 
 TEST(FaultOfACorner, TellsItsEdges) {
@@ -55,7 +55,7 @@ TEST(FaultOfACorner, TellsItsEdges) {
   corner.faces = {1, 2, 3, 4};
   corner.narrowest_deg = 60;
   EXPECT_EQ(
-      fault_of(corner, kFace),
+      fault_of(corner, kFaceNoun),
       "no hexahedra fit in a corner of faces 1, 2, 3 and 4 where 3 convex edges and 1 concave edge meet");
 }
 
@@ -64,7 +64,7 @@ TEST(FaultOfACorner, OfOneEdgeIsItsEnd) {
   corner.creases = {3};
   corner.faces = {12};
   corner.narrowest_deg = 270;
-  EXPECT_EQ(fault_of(corner, kFace), "no hexahedra fit at the end of a sharp edge of face 12");
+  EXPECT_EQ(fault_of(corner, kFaceNoun), "no hexahedra fit at the end of a sharp edge of face 12");
 }
 
 TEST(PlacesOfFaults, AreListedOnceEach) {
