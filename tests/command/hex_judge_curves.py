@@ -2,7 +2,7 @@
 """Corners, creases and faces of a model, and which of them hexahedra of a size can resolve.
 
 A crease is an edge with more than 35 degrees between its faces; in a CAD file a curve between faces that are not tangent there; in a tet
-mesh also a tagged edge of more than 15 degrees. Chains of creases end in corners: where not two of them meet, or two at an angle.
+mesh also a tagged edge of more than 15 degrees, unless it borders facets of a rounding that turn more. Chains of creases end in corners: where not two of them meet, or two at an angle.
 """
 
 from collections import defaultdict
@@ -14,6 +14,7 @@ from hex_judge_mesh import component_labels, edges_of
 
 CREASE_DEG, SOFT_DEG, CORNER_DEG = 35, 15, 45
 SURE_DEG, LEAST_RADII = 80, 80  # a chain that ends in the smooth surface counts if it is as sharp somewhere, or as long
+PARALLEL, FACET_TURNS = 0.9, (1.5, 2.7)  # cosine of edges beside a tagged one, and their turns over its own where a rounding begins: 2
 TIP = 0.8  # radians that the angles of triangles around the tip of a cone lack of a full turn, at least
 SHORTEST, NEAREST = 2.0, 1.0  # in hexahedra: lengths and distances of what they resolve
 MEETING = 3.0  # in hexahedra: as far from a common corner two curves may be near each other, which they are at acute angles
@@ -97,12 +98,22 @@ class Features:
                 hard[on] = self.lengths[on][sharp].sum() > 0.5 * self.lengths[on].sum()
                 self.on_curves[on] = hard[on] | ~is_seam
             return hard
-        tagged = lines[self.turns[lines] >= np.radians(SOFT_DEG)]
+        tagged = np.array([k for k in lines[self.turns[lines] >= np.radians(SOFT_DEG)].tolist() if not self.is_tangent(k)], int)
         hard = self.turns >= np.radians(CREASE_DEG)
         hard[tagged] = True
         self.drop_fading(hard, set(tagged.tolist()))
         self.on_curves[:] = hard
         return hard
+
+    def is_tangent(self, edge):
+        """Whether a parallel edge beside this one turns twice as much, as between the facets of a rounding that begins here."""
+        points = self.model.points
+        beside = self.model.triangles[np.isin(self.model.triangles, self.edges[edge]).any(axis=1)]
+        near = np.isin(self.edges, beside).all(axis=1) & ~np.isin(self.edges, self.edges[edge]).any(axis=1)
+        ways = points[self.edges[:, 1]] - points[self.edges[:, 0]]
+        cosines = np.abs(ways @ ways[edge]) / (self.lengths * self.lengths[edge])
+        ratios = self.turns[near & (cosines > PARALLEL)] / self.turns[edge]
+        return bool(((ratios > FACET_TURNS[0]) & (ratios < FACET_TURNS[1])).any())
 
     def strands(self, hard):
         """{vertex: hard edges there}."""

@@ -229,6 +229,22 @@ class FeaturesTest(unittest.TestCase):
         self.assertEqual(len(Features(Model.of_tets(vertices, tets, lines=[(0, 1)]), 0.3).curves), 12)
 
 
+    def test_a_tagged_edge_where_a_rounding_begins_is_no_crease(self):
+        angles = np.radians([0, 30, 60, 90])
+        rounding, bend = np.column_stack([np.sin(angles), np.cos(angles)]), np.array([(0, 1), (2, 0.2)])
+        for top, creases in ((rounding, 0), (bend, 1)):
+            outline = np.array([(-2, 1), *top, (top[-1][0], -3), (-2, -3)])
+            count = len(outline)
+            points = np.array([(*place, z) for z in (0, 2) for place in outline])
+            sides = [(k, n, count + n, count + k) for k, n in zip(range(count), [*range(1, count), 0])]
+            triangles = [triangle for a, b, c, d in sides for triangle in ((a, b, c), (a, c, d))]
+            triangles += [(top + 0, top + k, top + k + 1) for top in (0, count) for k in range(1, count - 1)]
+            tagged = Model(points, triangles, lines=[(1, count + 1)], line_curves=[0])
+            features = Features(tagged, 0.3)
+            plain = Features(Model(points, triangles), 0.3)
+            self.assertEqual(len(features.curves) - len(plain.curves), 3 * creases)
+
+
 class FilesTest(CommandTest):
     def test_a_file_of_gmsh_is_judged_with_a_cad_file(self):
         if not shutil.which("gmsh"):
