@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The energy that fits hexahedra to a model, as a function of all vertices.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "crossgrain/hex_mesh.hpp"
+#include "fit/fitting_targets.hpp"
+#include "fit/shape_energy.hpp"
+#include "fit/surface_samples.hpp"
+
+namespace crossgrain {
+
+/// What pulls vertices beside their shapes.
+struct FittingPulls {
+  std::vector<VertexPull> of_vertex;
+  std::vector<QuadPull> of_quads;
+  double quad_weight = 0;  ///< of the latter, in squared inverse model units
+};
+
+/// Edges of cubes that hexahedra shall be: of their own volume, within shares of the size, so that thin
+/// layers keep their thickness and no hexahedron vanishes.
+std::vector<double> wanted_sizes(const HexMesh& mesh, double size);
+
+/// The energy of shapes and pulls by displacements in sizes, three unknowns for each vertex. With a barrier
+/// it is infinite for meshes with an invalid hexahedron (is_valid).
+class FittingEnergy {
+ public:
+  /// The mesh and the pulls must outlive it and not change.
+  FittingEnergy(const HexMesh& mesh, const FittingPulls& pulls, double size,
+                const CornerEnergyOptions& options);
+
+  double operator()(const Eigen::VectorXd& displacements, Eigen::VectorXd& gradient);
+
+  /// Multiplies by the inverses of the second derivatives by each vertex alone, at the mesh as it was given.
+  Eigen::VectorXd preconditioned(const Eigen::VectorXd& gradient) const;
+
+  std::vector<Vector3> places(const Eigen::VectorXd& displacements) const;
+
+ private:
+  bool are_valid(const std::vector<Vector3>& places) const;
+  void invert_blocks();
+  SymmetricMatrix3 block_of(std::uint32_t vertex) const;
+
+  const HexMesh& mesh_;
+  const FittingPulls& pulls_;
+  double size_;
+  CornerEnergyOptions options_;
+  std::vector<double> sizes_;
+  ShapeEnergy shapes_;
+  Lists<std::uint32_t> uses_;       ///< of vertices by hexahedra
+  Lists<std::uint32_t> pulled_by_;  ///< 3 times the pull of a quad, and the vertex in it
+  std::vector<Eigen::Matrix3d> inverses_;
+};
+
+}  // namespace crossgrain
