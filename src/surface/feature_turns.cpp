@@ -10,8 +10,12 @@
 namespace crossgrain {
 namespace {
 
-/// Number of triangles of a face that tell how it bends beside an edge: about three rows.
-constexpr std::size_t kMostNear = 14;
+/// Number of triangles of a face that tell how it bends beside an edge, about three rows; of these at least
+/// so many off the plane of the first, if there are some among the most that are asked.
+constexpr std::size_t kEnoughNear = 14, kEnoughBent = 6, kMostNear = 48;
+
+/// Facets of smaller angles are one.
+constexpr double kBentDeg = 1;
 
 /// Least spread of their distances from the edge, over the mean distance.
 constexpr double kLeastSpread = 0.2;
@@ -20,14 +24,20 @@ double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
-/// Returns up to kMostNear triangles of a face, the nearest by steps over edges first.
-std::vector<std::uint32_t> triangles_near(std::uint32_t start, const FeatureFans& fans) {
+/// Returns triangles of a face, the nearest by steps over edges first.
+std::vector<std::uint32_t> triangles_near(std::uint32_t start, const FeatureFans& fans,
+                                          const Surface& surface) {
+  const double flat = std::cos(kBentDeg * kDegree);
   std::vector<std::uint32_t> near{start};
+  std::size_t bent = 0;
   for (std::size_t passed = 0; passed < near.size(); ++passed) {
-    for (std::uint32_t k = 0; k < 3 && near.size() < kMostNear; ++k) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const bool is_enough = near.size() >= kEnoughNear && bent >= kEnoughBent;
+      if (is_enough || near.size() >= kMostNear) return near;
       const std::uint32_t behind = fans.opposite(3 * near[passed] + k);
-      if (behind != FeatureFans::kNone && std::ranges::find(near, behind / 3) == near.end())
-        near.push_back(behind / 3);
+      if (behind == FeatureFans::kNone || std::ranges::find(near, behind / 3) != near.end()) continue;
+      near.push_back(behind / 3);
+      bent += dot(surface.normals[behind / 3], surface.normals[start]) < flat;
     }
   }
   return near;
@@ -52,7 +62,7 @@ double angle_at_edge(const TurnAxis& axis, const EdgeUse& use, const FeatureFans
   };
   std::vector<Sample> samples;
   double weights = 0, mean_distance = 0, mean_angle = 0;
-  for (const std::uint32_t t : triangles_near(use.triangle, fans)) {
+  for (const std::uint32_t t : triangles_near(use.triangle, fans, surface)) {
     const auto [a, b, c] = surface.corners(t);
     const double distance = dot((1.0 / 3) * (a + b + c) - axis.middle, inwards);
     samples.push_back({distance, axis.angle_of(surface.normals[t]), surface.areas[t]});
