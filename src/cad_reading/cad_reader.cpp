@@ -31,10 +31,6 @@ namespace {
 
 using End = HelperOutcome::End;
 
-/// Sines and the like of the GNU C library differ in the last bit between processors with and without fused
-/// multiply-add, and with them OpenCASCADE's triangles. All processors have the variants without.
-constexpr const char* kOneArithmetic = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4";
-
 constexpr double kSecondsPerByte = 10e-6;
 
 std::filesystem::path cad_program(const InputFile& file, const CadReading& options) {
@@ -162,7 +158,7 @@ CadModel read_cad(const InputFile& file, CadFormat format, const CadReading& opt
   request.options.max_memory_bytes = memory_for_helper(options.max_memory_bytes, "to read it", file.name());
   const HelperRun run{cad_program(file, options),
                       arguments_of(request),
-                      {kOneArithmetic},
+                      {},
                       options.read_seconds + kSecondsPerByte * static_cast<double>(file.bytes().size()),
                       request.options.max_memory_bytes};
   const HelperOutcome outcome = outcome_of(file, run, monitor);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/ascending.hpp"
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 
@@ -66,7 +67,7 @@ std::vector<Directions> directions_of(const FeatureComplex& features) {
 
 /// From 0 to 2 pi, counter-clockwise around an axis of length 1.
 double angle_around(const Vector3& axis, const Vector3& from, const Vector3& to) {
-  const double angle = std::atan2(dot(axis, cross(from, to)), dot(from, to));
+  const double angle = arc_tangent(dot(axis, cross(from, to)), dot(from, to));
   return angle > 0 ? angle : angle + 2 * std::numbers::pi;
 }
 

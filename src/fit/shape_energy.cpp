@@ -5,22 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "map/foldover.hpp"
 #include "measure/hex_faces.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// By products alone, so that all processors give the same bits.
-double to_the_power(double value, int exponent) {
-  double result = 1;
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 == 1) result *= value;
-    value *= value;
-  }
-  return result;
-}
 
 std::array<Vector3, 3> scaled_edges(const std::array<Vector3, 8>& corners, std::size_t k, double scale) {
   const auto& [a, b, c] = kHexNeighbours[k];
@@ -33,7 +24,7 @@ struct PlainEnergy {
   double value, by_f, by_d, by_fd, by_dd;
 
   PlainEnergy(double f, double d, double volume_weight) {
-    const double root = std::cbrt(d * d), inverse = 1 / d;
+    const double root = cube_root(d * d), inverse = 1 / d;
     by_f = 1 / root;
     value = f * by_f + volume_weight * (inverse + d);
     by_d = -2.0 / 3 * f * by_f * inverse + volume_weight * (1 - inverse * inverse);
@@ -84,10 +75,10 @@ const std::array<std::array<CornerUse, 4>, 8>& all_corner_uses() {
 void add_second_order(const PlainEnergy& energy, const VertexPart& part, double cube, int power,
                       SecondOrder& sum) {
   const double share = energy.value / cube;
-  const double outer = power * to_the_power(share, power - 1);
-  const double bend = power > 1 ? power * (power - 1) * to_the_power(share, power - 2) / cube : 0;
+  const double outer = power * raised(share, power - 1);
+  const double bend = power > 1 ? power * (power - 1) * raised(share, power - 2) / cube : 0;
   const Vector3 gradient = energy.by_f * part.of_f + energy.by_d * part.of_d;
-  sum.value += cube * to_the_power(share, power);
+  sum.value += cube * raised(share, power);
   sum.gradient += outer * gradient;
   add_product(sum.hessian, 2 * outer * energy.by_fd, part.of_f, part.of_d);
   add_product(sum.hessian, outer * energy.by_dd, part.of_d, part.of_d);
@@ -104,14 +95,14 @@ CornerEnergy corner_energy(const std::array<Vector3, 3>& edges, const CornerEner
   if (options.epsilon == 0 && !(determinant > 0)) return {INFINITY, {}};
   const auto [chi, slope] =
       options.epsilon == 0 ? Regularised{determinant, 1} : regularised(determinant, options.epsilon);
-  const double squares = dot(a, a) + dot(b, b) + dot(c, c), root = std::cbrt(chi * chi);
+  const double squares = dot(a, a) + dot(b, b) + dot(c, c), root = cube_root(chi * chi);
   const double volumes = options.volume_weight * (1 + determinant * determinant) / chi;
   // Relative to a cube of the size, so that no power is out of range for it.
   const double cube = 3 + 2 * options.volume_weight, share = (squares / root + volumes) / cube;
-  const double raised = to_the_power(share, options.power - 1), outer = options.power * raised;
+  const double below = raised(share, options.power - 1), outer = options.power * below;
   const double by_determinant = -2.0 / 3 * squares / (root * chi) * slope +
                                 2 * options.volume_weight * determinant / chi - volumes / chi * slope;
-  CornerEnergy energy{cube * share * raised, {}};
+  CornerEnergy energy{cube * share * below, {}};
   for (std::size_t n = 0; n < 3; ++n)
     energy.by_edge[n] = outer * ((2 / root) * edges[n] + by_determinant * cofactors[n]);
   return energy;
@@ -213,9 +204,9 @@ double energy_at(const std::array<Vector3, 8>& corners, std::size_t corner, doub
     if (!(determinant > 0)) return INFINITY;
     const double f = dot(a, a) + dot(b, b) + dot(c, c);
     const double share =
-        (f / std::cbrt(determinant * determinant) + options.volume_weight * (1 / determinant + determinant)) /
+        (f / cube_root(determinant * determinant) + options.volume_weight * (1 / determinant + determinant)) /
         cube;
-    sum += cube * to_the_power(share, options.power);
+    sum += cube * raised(share, options.power);
   }
   return sum;
 }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "hex/hex_memory.hpp"
@@ -52,7 +53,7 @@ double covered_cells(const MapEnergy& energy, const std::vector<double>& determi
   double volume = 0;
   for (std::size_t t = 0; t < determinants.size(); ++t)
     volume += energy.volume(t) * std::abs(determinants[t]);
-  return volume / std::pow(energy.size(), 3);
+  return volume / raised(energy.size(), 3);
 }
 
 /// Smooths hexahedra and judges them.
@@ -70,7 +71,7 @@ MadeHexahedra made_of(const FollowedField& followed, const FollowingMap& followi
                    tuning.largest_gap * size;
   const double model_volume = volume_of(solid.mesh);
   made.is_coarse =
-      static_cast<double>(mesh.hexahedra.size()) < kLeastShare * model_volume / std::pow(asked_size, 3);
+      static_cast<double>(mesh.hexahedra.size()) < kLeastShare * model_volume / raised(asked_size, 3);
   made.left_out = following.extracted.left_out.size();
   const std::vector<double> volumes = volumes_of(made.mesh);
   made.volume_missed = std::abs(std::accumulate(volumes.begin(), volumes.end(), 0.0) / model_volume - 1);

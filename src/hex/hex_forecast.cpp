@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "surface/bvh.hpp"
@@ -34,7 +35,7 @@ double expected_hexahedra(const TriangleMesh& boundary, double volume, double si
     const bool is_wall = exit && dot(surface.normals[exit->triangle], normal) < -kOpposite;
     return is_wall ? 0.5 * surface.areas[k] * (1 - exit->t) : 0.0;
   });
-  return volume / std::pow(size, 3) + missing / (size * size);
+  return volume / raised(size, 3) + missing / (size * size);
 }
 
 }  // namespace crossgrain

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -20,8 +22,9 @@ constexpr double kBelowEdges = 0.75;
 constexpr double kMostTets = 50000;
 
 double in_three_digits(double size) {
-  const double unit = std::pow(10, std::floor(std::log10(size)) - 2);
-  return unit * std::round(size / unit);
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(size)));
+  const double power = raised(10, std::abs(decimals));
+  return decimals > 0 ? std::round(size * power) / power : std::round(size / power) * power;
 }
 
 /// Tets of one size each, the finest first.
@@ -48,7 +51,7 @@ std::optional<double> untried_tet_size(const std::vector<HexAttempt>& attempts) 
   if (made.empty() || made.front().tet_edge == 0) return std::nullopt;
   const HexAttempt& finest = made.front();
   const double size = kBelowEdges * std::min(finest.tet_edge, finest.tet_size);
-  const double expected = static_cast<double>(finest.tets) * std::pow(finest.tet_edge / size, 3);
+  const double expected = static_cast<double>(finest.tets) * raised(finest.tet_edge / size, 3);
   if (expected > kMostTets) return std::nullopt;
   return in_three_digits(size);
 }

@@ -7,7 +7,7 @@
 namespace crossgrain {
 
 Regularised regularised(double determinant, double epsilon) {
-  const double root = std::hypot(determinant, epsilon);
+  const double root = std::sqrt(determinant * determinant + epsilon * epsilon);
   // Without cancellation for negative determinants.
   const double chi =
       determinant > 0 ? 0.5 * (determinant + root) : 0.5 * epsilon * epsilon / (root - determinant);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "map/descent.hpp"
 #include "map/foldover.hpp"
@@ -73,7 +74,7 @@ class Distortion {
     const Eigen::Matrix3d jacobian = energy_.jacobian(map, t);
     const double determinant = jacobian.determinant();
     const auto [chi, slope] = regularised(determinant, epsilon);
-    const double squares = jacobian.squaredNorm(), root = std::pow(chi, 2.0 / 3);
+    const double squares = jacobian.squaredNorm(), root = cube_root(chi * chi);
     const double volumes = kVolumeWeight * (1 + determinant * determinant) / chi;
     const double weight = energy_.volume(t) / all_;
     Term term;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/degree.hpp"
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "singularity/tet_matchings.hpp"
 #include "singularity/vertex_link.hpp"
@@ -20,7 +21,7 @@ constexpr double kConvexDeg = 15;
 /// Angle of the solid at an edge between two boundary faces, from the first through the solid to the second,
 /// right-handed about `along`.
 double solid_angle_deg(const Vector3& first, const Vector3& second, const Vector3& along) {
-  return 180 + std::atan2(dot(cross(first, second), along), dot(first, second)) / kDegree;
+  return 180 + arc_tangent(dot(cross(first, second), along), dot(first, second)) / kDegree;
 }
 
 /// The cyclic sequence that is first among all its rotations and reflections.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/ascending.hpp"
+#include "base/elementary.hpp"
 #include "base/vector3.hpp"
 #include "tets/tet_shape.hpp"
 
@@ -185,7 +186,7 @@ void TetComplex::find_rings() {
       if (edges_[edge].is_branched) break;
       const Vector3 a = normalised(solid.mesh.vertices[at] - solid.mesh.vertices[v]),
                     b = normalised(solid.mesh.vertices[to] - solid.mesh.vertices[v]);
-      rings_[v].push_back({f, edge, std::atan2(norm(cross(a, b)), dot(a, b))});
+      rings_[v].push_back({f, edge, arc_tangent(norm(cross(a, b)), dot(a, b))});
       at = to;
       if (at == next.begin()->first) break;
     }

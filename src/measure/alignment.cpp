@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "constraint/classification.hpp"
 #include "grid/cell_constraints.hpp"
@@ -136,7 +137,7 @@ double angle_to_nearest_axis_deg(const Quaternion& frame, const Vector3& directi
     sine = norm(cross(axis, direction));
   }
   // The arc cosine would lose half of the digits of small angles.
-  return std::atan2(sine, cosine) * 180 / std::numbers::pi;
+  return arc_tangent(sine, cosine) * 180 / std::numbers::pi;
 }
 
 AlignmentMeasurement measure_alignment(const GridLevel& level, const Solid& solid, const LeafField& field) {

@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/finding.hpp"
@@ -61,7 +62,7 @@ std::vector<double> sagittas_of(const Surface& surface) {
     const auto& vertices = surface.mesh.vertices;
     const double length = norm(vertices[edge[0].low()] - vertices[edge[0].high()]);
     const double cosine = dot(surface.normals[edge[0].triangle], surface.normals[edge[1].triangle]);
-    const double angle_rad = std::acos(std::clamp(cosine, -1.0, 1.0));
+    const double angle_rad = arc_cosine(std::clamp(cosine, -1.0, 1.0));
     if (angle_rad > kSmooth_rad) return;
     for (const EdgeUse& use : edge)
       sagittas[use.triangle] = std::max(sagittas[use.triangle], length * angle_rad / 8);

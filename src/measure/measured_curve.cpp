@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.hpp"
 #include "base/vector3.hpp"
 
 namespace crossgrain {
@@ -14,7 +15,7 @@ constexpr std::size_t kLinesInGroup = 8;
 
 double angle_at_point(const Vector3& before, const Vector3& at, const Vector3& after) {
   const Vector3 a = at - before, b = after - at;
-  return std::atan2(norm(cross(a, b)), dot(a, b));
+  return arc_tangent(norm(cross(a, b)), dot(a, b));
 }
 
 /// The nearest point of a line between two points: its share of the length.

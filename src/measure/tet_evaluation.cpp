@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "harmonics/frame.hpp"
@@ -31,7 +32,7 @@ double angle_deg(const Quaternion& frame, const Vector3& unit_normal) {
   double cosine = 0;
   for (const Vector3& axis : axes_of(frame))
     cosine = std::max(cosine, std::abs(dot(axis, unit_normal)) / norm(axis));
-  return std::acos(std::min(cosine, 1.0)) * (180 / std::numbers::pi);
+  return arc_cosine(std::min(cosine, 1.0)) * (180 / std::numbers::pi);
 }
 
 CubeRotation matching_of(const Quaternion& from, const Quaternion& to) {

@@ -101,8 +101,9 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// Returns the environment of this process with some settings added or replaced.
-std::vector<std::string> environment_with(const std::vector<std::string>& settings) {
+/// Returns the environment of this process with some settings, and one arithmetic, added or replaced.
+std::vector<std::string> environment_with(std::vector<std::string> settings) {
+  settings.emplace_back(kOneArithmetic);
   std::vector<std::string> all = settings;
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string_view text = *variable, name = text.substr(0, text.find('='));

@@ -16,10 +16,15 @@ inline constexpr int kAnswerDescriptor = 3;
 /// Exit status of a helper when the dynamic linker finds a library missing.
 inline constexpr int kLibrariesMissing = 127;
 
+/// Sines and the like of the GNU C library differ in the last bit between processors with and without fused
+/// multiply-add, and with them triangles of OpenCASCADE and tets of gmsh. All processors have the variants
+/// without, which all helpers use.
+inline constexpr const char* kOneArithmetic = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4";
+
 struct HelperRun {
   std::filesystem::path program;
   std::vector<std::string> arguments;
-  std::vector<std::string> environment;  ///< NAME=VALUE, beside or in place of the variables of this process
+  std::vector<std::string> environment;  ///< NAME=VALUE, beside or in place of variables of this process
   double seconds;                        ///< it is killed after this time
   std::size_t max_answer_bytes;          ///< it is killed if its answer is longer
 

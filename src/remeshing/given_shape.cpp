@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/ascending.hpp"
+#include "base/elementary.hpp"
 #include "base/vector3.hpp"
 #include "surface/edge_uses.hpp"
 
@@ -51,7 +52,8 @@ class PatchNormals {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3 a = normalised(corners[(k + 1) % 3] - corners[k]);
       const Vector3 b = normalised(corners[(k + 2) % 3] - corners[k]);
-      normals_[place(key(given_.triangles[t][k], t))] += std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * normal;
+      normals_[place(key(given_.triangles[t][k], t))] +=
+          arc_cosine(std::clamp(dot(a, b), -1.0, 1.0)) * normal;
     }
   }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "base/vector3.hpp"
 #include "remeshing/given_shape.hpp"
 #include "remeshing/patch_mesh.hpp"
@@ -218,7 +219,7 @@ class Remesher {
     for (const std::uint32_t opposite : {edge.left, edge.right}) {
       const Vector3 to_a = mesh_.vertices[edge.a].position - mesh_.vertices[opposite].position;
       const Vector3 to_b = mesh_.vertices[edge.b].position - mesh_.vertices[opposite].position;
-      angles += std::atan2(norm(cross(to_a, to_b)), dot(to_a, to_b));
+      angles += arc_tangent(norm(cross(to_a, to_b)), dot(to_a, to_b));
     }
     return angles <= kDelaunayAngles;
   }

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 
 namespace crossgrain {
@@ -85,7 +86,7 @@ void MatchingRepair::wander(const RepairTuning& options, std::uint64_t seed) {
     const std::uint32_t at = faults[random() % faults.size()];
     constexpr double kTwoTo53 = 9007199254740992.0;
     const double uniform = (static_cast<double>(random() >> 11) + 1) / kTwoTo53;
-    disturb(at, random(), -kTemperature * std::log(uniform));
+    disturb(at, random(), -kTemperature * logarithm(uniform));
     if (gained_ >= least - kLeastGain * complex_.mean_edge_length()) continue;
     least = gained_;
     best = journal_.size();

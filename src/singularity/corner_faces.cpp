@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/degree.hpp"
+#include "base/elementary.hpp"
 
 namespace crossgrain {
 namespace {
@@ -59,7 +60,7 @@ double SurfaceFans::angle_at(std::uint32_t triangle, std::uint32_t vertex) const
   const auto [b, c] = others(surface_.triangles[triangle], vertex);
   const Vector3 to_b = normalised(surface_.vertices[b] - surface_.vertices[vertex]),
                 to_c = normalised(surface_.vertices[c] - surface_.vertices[vertex]);
-  return std::acos(std::clamp(dot(to_b, to_c), -1.0, 1.0)) / kDegree;
+  return arc_cosine(std::clamp(dot(to_b, to_c), -1.0, 1.0)) / kDegree;
 }
 
 bool SurfaceFans::is_sharp(std::uint32_t triangle, std::uint32_t next) const {

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "base/degree.hpp"
+#include "base/elementary.hpp"
 #include "singularity/chains.hpp"
 #include "surface/edge_uses.hpp"
 
@@ -30,7 +31,7 @@ std::optional<Edge> edge_of(const SolidSurface& surface, std::span<const EdgeUse
   if (length == 0 || norm(to) == 0 || norm(from) == 0) return std::nullopt;
   // The sense of the smaller turn of the normals says whether the solid takes less or more than 180 degrees.
   const double turn =
-      std::atan2(dot(cross(from, to), (1 / length) * along), std::clamp(dot(from, to), -1.0, 1.0));
+      arc_tangent(dot(cross(from, to), (1 / length) * along), std::clamp(dot(from, to), -1.0, 1.0));
   return Edge{
       {forward.low(), forward.high()}, {back.triangle, forward.triangle}, 180 + turn / kDegree, length};
 }

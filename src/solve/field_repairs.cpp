@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/degree.hpp"
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/required_memory.hpp"
 #include "base/stopwatch.hpp"
@@ -71,7 +72,7 @@ SolveReport::AngleSummary turns_between(std::span<const Quaternion> before,
   parallel_for(angles.size(), [&](std::size_t t) {
     const Quaternion turn = conjugate(before[t]) * after[t];
     const Quaternion small = turn * to_quaternion(inverse(nearest_cube_rotation(turn)));
-    angles[t] = 2 * std::acos(std::min(1.0, std::abs(small.w))) / kDegree;
+    angles[t] = 2 * arc_cosine(std::min(1.0, std::abs(small.w))) / kDegree;
   });
   return summary_of(std::move(angles));
 }

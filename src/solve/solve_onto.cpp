@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/elementary.hpp"
 #include "base/names.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
@@ -30,7 +31,7 @@ namespace crossgrain {
 namespace {
 
 Extent extent_of(const TetDomainData& tets) {
-  const double mean_tet = std::pow(tets.typical_edge_length, 3) / (6 * std::numbers::sqrt2);
+  const double mean_tet = raised(tets.typical_edge_length, 3) / (6 * std::numbers::sqrt2);
   return {mean_tet * static_cast<double>(tets.solid.mesh.tets.size()), longest_side(tets.box)};
 }
 

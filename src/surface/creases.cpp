@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/degree.hpp"
+#include "base/elementary.hpp"
 #include "base/vector3.hpp"
 #include "surface/crease_network.hpp"
 #include "surface/edge_uses.hpp"
@@ -45,7 +46,7 @@ std::vector<std::array<std::uint32_t, 2>> sharp_edges(const Surface& surface,
     if (uses.size() != 2) holding.insert(holding.end(), ends.begin(), ends.end());
     const double cosine = least_cosine_at(surface, uses);
     if (cosine >= least_cosine) return;
-    const double turn_rad = std::acos(std::max(cosine, -1.0));
+    const double turn_rad = arc_cosine(std::max(cosine, -1.0));
     const auto& at = surface.mesh.vertices;
     const double area = surface.areas[uses[0].triangle] + surface.areas[uses[1].triangle];
     sharp.push_back({ends, turn_rad, length_in_radii(turn_rad, norm(at[ends[1]] - at[ends[0]]), area)});

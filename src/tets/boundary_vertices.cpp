@@ -7,6 +7,7 @@
 
 #include "base/ascending.hpp"
 #include "base/degree.hpp"
+#include "base/elementary.hpp"
 #include "base/vector3.hpp"
 #include "surface/crease_network.hpp"
 #include "surface/edge_uses.hpp"
@@ -108,7 +109,7 @@ std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeature
     if (edge.size() != 2) return;
     const double cosine = all.cosine(edge[0], edge[1]);
     if (cosine >= flattest_cosine) return;
-    const double turn_rad = std::acos(std::max(cosine, -1.0));
+    const double turn_rad = arc_cosine(std::max(cosine, -1.0));
     const double area = all.shapes[edge[0].triangle].area + all.shapes[edge[1].triangle].area;
     const double length = norm(vertices[ends[1]] - vertices[ends[0]]);
     sharp.push_back({ends, turn_rad, length_in_radii(turn_rad, length, area)});
@@ -139,7 +140,7 @@ double spread_deg_of(const Vector3& mean, std::span<const FaceAtVertex> faces) {
   if (faces.empty()) return 180;
   double least_cosine = 1;
   for (const FaceAtVertex& face : faces) least_cosine = std::min(least_cosine, dot(face.normal, mean));
-  return std::acos(std::max(least_cosine, -1.0)) / kDegree;
+  return arc_cosine(std::max(least_cosine, -1.0)) / kDegree;
 }
 
 /// Unit tangent of the crease through `vertex`, or, if `ends_count`, of the crease that ends there; {0, 0, 0}

@@ -9,14 +9,17 @@ CROSSGRAIN_CAD_FILES is the program that makes CAD files; without it Crossgrain 
 import json
 import os
 import re
+import shutil
 import subprocess
 import unittest
 from pathlib import Path
 
+import numpy as np
 from program import (TIME_LIMIT, CommandTest, cylinder_triangles, medit_text, of_the_day, stl_bytes, tet_box, tilt,
                      without_costs)
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
+MODELS = Path(__file__).resolve().parents[2] / "models"
 SHARED = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().parents[3] / "shared"))
 
 # Doubles in a vector, and what the GNU C library shall not use.
@@ -68,6 +71,37 @@ class Processors(CommandTest):
         self.write("part.mesh", medit_text(vertices @ tilt(), tets))
         for degree in (3, 4):
             self.assert_same_on_all("part.mesh", "--degree", degree)
+
+    def assert_same_hexahedra(self, model, *arguments):
+        """The mesh of each processor; the report has times of its own."""
+        meshes = set()
+        for processor in PROCESSORS:
+            shutil.rmtree(self.folder / "out", ignore_errors=True)
+            run = self.run_here("hex", model, "-o", "out", "--quiet", *arguments, env=environment_of(processor))
+            self.assertIn(run.returncode, (0, 1), run.stderr)
+            meshes.add((self.folder / "out" / "hexahedra.mesh").read_bytes())
+        self.assertEqual(len(meshes), 1)
+
+    def test_hexahedra(self):
+        vertices, tets = tet_box(cells=(4, 3, 3))
+        x, y, z = vertices.T
+        # Curved, so that the vertices of its hexahedra are smoothed.
+        bent = np.stack([x + 0.15 * y * z, y * (1 + 0.25 * x) + 0.1 * x * x, z * (1 + 0.1 * y) - 0.1 * x * y], axis=1)
+        self.write("bent.mesh", medit_text(bent @ tilt(), tets))
+        self.assert_same_hexahedra("bent.mesh", "--size", 0.2)
+
+    @unittest.skipUnless(shutil.which("gmsh"), "gmsh is not installed")
+    def test_tets_that_are_made(self):
+        self.write("part.stl", stl_bytes(cylinder_triangles()))
+        models = ["part.stl", *([MODELS / "wedge.step"] if CAD_FILES else [])]
+        for model in models:
+            meshes = set()
+            for processor in PROCESSORS[:2]:
+                (self.folder / "made.mesh").unlink(missing_ok=True)
+                self.assert_succeeds(self.run_here("tets", model, "-o", "made.mesh", "--quiet",
+                                                   env=environment_of(processor)))
+                meshes.add((self.folder / "made.mesh").read_bytes())
+            self.assertEqual(len(meshes), 1, model)
 
     @unittest.skipUnless(CAD_FILES, "built without OpenCASCADE")
     def test_cad_files(self):
