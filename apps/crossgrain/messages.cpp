@@ -136,9 +136,10 @@ Failure failure_of(const std::exception_ptr& exception, const std::string& subje
   } catch (const std::exception& error) {
     if (!has_no_threads_left())
       return {kInternalError, begin + "unexpected: " + error.what() + "; please report this with the input"};
-    return {
-        exit_code_of(ErrorKind::kLimit),
-        begin + "the system starts no more threads; end some processes, or raise their limit (ulimit -u)"};
+    return {exit_code_of(ErrorKind::kLimit), begin +
+                                                 "the system starts no more threads; end some processes, or "
+                                                 "raise their limit (ulimit -u) or that of "
+                                                 "memory (ulimit -v)"};
   } catch (...) {
     return {kInternalError, begin + "unexpected; please report this"};
   }

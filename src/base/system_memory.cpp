@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/system_memory.hpp"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -74,10 +75,17 @@ std::size_t control_group_limit_bytes(const std::string& membership, const std::
   return limit;
 }
 
+std::size_t address_space_limit_bytes() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? limit.rlim_cur : 0;
+}
+
 std::size_t memory_limit_bytes() {
   std::ifstream file("/proc/self/cgroup");
   const std::string membership{std::istreambuf_iterator<char>(file), {}};
-  return smaller_of_known(physical_memory_bytes(), control_group_limit_bytes(membership, "/sys/fs/cgroup"));
+  const std::size_t there =
+      smaller_of_known(physical_memory_bytes(), control_group_limit_bytes(membership, "/sys/fs/cgroup"));
+  return smaller_of_known(there, address_space_limit_bytes());
 }
 
 std::size_t allowed_memory_bytes(std::size_t max_memory_bytes) {

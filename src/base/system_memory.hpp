@@ -10,8 +10,11 @@ namespace crossgrain {
 /// Physical memory of the machine in bytes; 0 if the system does not tell.
 std::size_t physical_memory_bytes();
 
-/// Memory that the process may use, in bytes: physical memory, or the limit of its control group (for
-/// instance of a container) if that is less; 0 if the system does not tell.
+/// The limit of the address space of this process and those it starts (`ulimit -v`), in bytes; 0 without one.
+std::size_t address_space_limit_bytes();
+
+/// Memory that the process may use, in bytes: the least of physical memory, the limit of its control group
+/// (for instance of a container) and that of its address space; 0 if the system does not tell.
 std::size_t memory_limit_bytes();
 
 /// Memory that the process may use under the option `max_memory_bytes`: its value, or nine tenths of

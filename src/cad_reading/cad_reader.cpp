@@ -42,10 +42,18 @@ std::filesystem::path cad_program(const InputFile& file, const CadReading& optio
   return program;
 }
 
-CadFault out_of_memory(std::size_t allowed) {
-  return {fmt::format("OpenCASCADE needs more than the {:.3g} GB of memory that it may take",
-                      static_cast<double>(allowed) / 1e9),
-          Remedy::kSimplifyOrAllowMemory};
+/// Throws if memory did not suffice, or may be what made the reader fail.
+void check_memory(const InputFile& file, const HelperRun& run, const HelperOutcome& outcome,
+                  const std::optional<CadAnswer>& answer) {
+  const auto fail = [&](const std::string& text, Remedy remedy) {
+    throw Error(ErrorKind::kLimit, {file.name(), "", text, remedy});
+  };
+  if (answer && answer->end == CadEnd::kMesh) return;
+  if (may_lack_addresses(outcome)) fail(words_of_lacking_addresses("OpenCASCADE"), Remedy::kSimplify);
+  if ((answer && answer->end == CadEnd::kOutOfMemory) || outcome.end == End::kTooLong)
+    fail(fmt::format("OpenCASCADE needs more than the {:.3g} GB of memory that it may take",
+                     static_cast<double>(run.max_answer_bytes) / 1e9),
+         Remedy::kSimplifyOrAllowMemory);
 }
 
 /// Returns the error for an outcome without an answer.
@@ -56,7 +64,6 @@ CadFault fault_of(const HelperRun& run, const HelperOutcome& outcome) {
             "OpenCASCADE did not finish within {:.3g} s and was stopped: the file is damaged or very complex",
             run.seconds),
         Remedy::kAllowReadTime};
-  if (outcome.end == End::kTooLong) return out_of_memory(run.max_answer_bytes);
   if (outcome.end == End::kExited && outcome.number == kLibrariesMissing)
     return {fmt::format("the reader of CAD files, {}, cannot find libraries of OpenCASCADE",
                         run.program.string()),
@@ -163,8 +170,8 @@ CadModel read_cad(const InputFile& file, CadFormat format, const CadReading& opt
                       request.options.max_memory_bytes};
   const HelperOutcome outcome = outcome_of(file, run, monitor);
   std::optional<CadAnswer> answer = cad_answer_in(outcome.answer);
+  check_memory(file, run, outcome, answer);
   if (!answer) fail_input(file, fault_of(run, outcome));
-  if (answer->end == CadEnd::kOutOfMemory) fail_input(file, out_of_memory(request.options.max_memory_bytes));
   if (answer->end == CadEnd::kFault) fail_input(file, answer->fault);
   warnings.insert(warnings.end(), answer->mesh.warnings.begin(), answer->mesh.warnings.end());
   for (Warning& warning : warnings) warning.file = file.name();

@@ -2,6 +2,7 @@
 #include "process/helper_process.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
@@ -18,6 +19,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/system_memory.hpp"
 #include "files/descriptor.hpp"
 
 namespace crossgrain {
@@ -227,6 +229,19 @@ class Collector {
 };
 
 }  // namespace
+
+bool may_lack_addresses(const HelperOutcome& outcome) {
+  // Beyond what is resident, gmsh 4.8 has 240 MB of addresses for its libraries, and OpenCASCADE's reader
+  // 190. A refused allocation, of an array that grows, is at most as much again.
+  constexpr std::size_t kMappedBytes = 250'000'000, kShare = 2;
+  const std::size_t limit = address_space_limit_bytes();
+  return limit > 0 && kShare * (outcome.peak_memory_bytes + kMappedBytes) >= limit;
+}
+
+std::string words_of_lacking_addresses(const std::string& what) {
+  return fmt::format("{} needs more than the {:.3g} GB of memory that a process may take here (ulimit -v)",
+                     what, static_cast<double>(address_space_limit_bytes()) / 1e9);
+}
 
 HelperOutcome run_helper(const HelperRun& run, const Monitor& monitor) {
   Pipe answers;

@@ -48,6 +48,13 @@ struct HelperOutcome {
   std::size_t peak_memory_bytes = 0;  ///< of it and of what it has waited for; 0 if its end is unknown
 };
 
+/// Whether a helper may have failed by the limit of address space that it inherits (`ulimit -v`): programs of
+/// others do not tell, crash, or go on with what they have.
+bool may_lack_addresses(const HelperOutcome& outcome);
+
+/// What the failure of such a helper is called: `what` needs more than the limit.
+std::string words_of_lacking_addresses(const std::string& what);
+
 /// Runs a program and returns its answer. The program starts with no signal ignored or blocked, no file open
 /// but those four, and in a session of its own, so that this process alone handles what a terminal sends
 /// (Ctrl-C). If the monitor is cancelled, and if this process ends, killed or not, the helper and all that it

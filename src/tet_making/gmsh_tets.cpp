@@ -149,9 +149,10 @@ class GmshTets : public TetProgram {
     } catch (const Error& unreadable) {
       if (unreadable.kind() != ErrorKind::kInput) throw;
     }
-    const bool is_short_of_memory =
-        error.empty() ? is_near_its_limit(run, outcome) : error.find("ut of memory") != error.npos;
-    if (is_short_of_memory) throw out_of_memory(name(), run.max_memory_bytes);
+    const bool is_short_of_memory = error.empty() || may_lack_addresses(outcome)
+                                        ? is_near_its_limit(run, outcome)
+                                        : error.find("ut of memory") != error.npos;
+    if (is_short_of_memory) throw out_of_memory(name(), outcome, run.max_memory_bytes);
     if (error.empty()) throw TetFailure{"gmsh makes no tets of it"};
     TetFailure failure{fmt::format("gmsh gives up on it ({})", error)};
     // No size helps a surface whose triangles lie on each other.

@@ -38,8 +38,12 @@ class NetgenTets : public TetProgram {
         program(), arguments_of(request), {"TMPDIR=" + place, "LC_ALL=C"}, job.seconds, job.max_memory_bytes};
     const HelperOutcome outcome = run_tet_program(run, name(), folder, job.monitor);
     std::optional<NetgenAnswer> answer = netgen_answer_in(outcome.answer);
+    const bool has_mesh =
+        answer && answer->end != NetgenEnd::kOutOfMemory && answer->end != NetgenEnd::kFault;
+    if (!has_mesh && may_lack_addresses(outcome))
+      throw out_of_memory("Netgen", outcome, job.max_memory_bytes);
     if (!answer) fail_without_answer(outcome);
-    if (answer->end == NetgenEnd::kOutOfMemory) throw out_of_memory("Netgen", job.max_memory_bytes);
+    if (answer->end == NetgenEnd::kOutOfMemory) throw out_of_memory("Netgen", outcome, job.max_memory_bytes);
     if (answer->end == NetgenEnd::kFault) throw TetFailure{answer->fault};
     return std::move(answer->mesh);
   }

@@ -49,11 +49,14 @@ void drop_unused_vertices(TetMesh& mesh) {
 
 bool is_near_its_limit(const HelperRun& run, const HelperOutcome& outcome) {
   constexpr std::size_t kShare = 2;
+  if (may_lack_addresses(outcome)) return true;
   return run.max_memory_bytes > 0 &&
          outcome.peak_memory_bytes >= (run.max_memory_bytes + kHelperProgramBytes) / kShare;
 }
 
-TetFailure out_of_memory(const std::string& what, std::size_t allowed) {
+TetFailure out_of_memory(const std::string& what, const HelperOutcome& outcome, std::size_t allowed) {
+  if (may_lack_addresses(outcome))
+    return {words_of_lacking_addresses(what), ErrorKind::kLimit, Remedy::kTakeLargerTets};
   return {fmt::format("{} needs more than the {:.3g} GB of memory that it may take", what,
                       static_cast<double>(allowed) / 1e9),
           ErrorKind::kLimit, Remedy::kAllowMemory};
@@ -84,8 +87,10 @@ HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, con
     throw TetFailure{fmt::format("the system stopped {}, usually because memory ran out", what),
                      ErrorKind::kLimit, Remedy::kTakeLargerTets};
   const bool has_crashed =
-      outcome.end == End::kKilled && (outcome.number == SIGABRT || outcome.number == SIGSEGV);
-  if (has_crashed && is_near_its_limit(run, outcome)) throw out_of_memory(what, run.max_memory_bytes);
+      outcome.end == End::kKilled &&
+      (outcome.number == SIGABRT || outcome.number == SIGSEGV || outcome.number == SIGBUS);
+  if (has_crashed && is_near_its_limit(run, outcome))
+    throw out_of_memory(what, outcome, run.max_memory_bytes);
   if (outcome.end == End::kKilled && outcome.number == SIGXFSZ)
     folder.fail("the file is larger than allowed");
   if (outcome.end == End::kKilled)

@@ -78,11 +78,11 @@ HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, con
                               const Monitor& monitor);
 
 /// Whether a program of others, which knows no limit of its memory, came near the one that it had: refused an
-/// allocation, it stays below, the further the larger that was.
+/// allocation, it stays below, the further the larger that was. Or that of its addresses.
 bool is_near_its_limit(const HelperRun& run, const HelperOutcome& outcome);
 
-/// What a program that ran out of memory failed by.
-TetFailure out_of_memory(const std::string& what, std::size_t allowed);
+/// What a program that ran out of memory failed by: the limit of its addresses, or what was `allowed`.
+TetFailure out_of_memory(const std::string& what, const HelperOutcome& outcome, std::size_t allowed);
 
 /// Returns what a program made as a mesh for a field: without vertices that no tet uses, all tets with a
 /// positive volume by the order of their vertices. Throws TetFailure if a tet has no volume, or the tets

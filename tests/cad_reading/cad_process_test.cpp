@@ -45,12 +45,12 @@ class FakeReader {
   TriangleMesh read(const Monitor& monitor = {}) const { return read_surface(part_, options_, monitor); }
 
   /// The message of what reading gives, which names the file.
-  std::string error() const {
+  std::string error(ErrorKind kind = ErrorKind::kInput) const {
     try {
       read();
     } catch (const Error& error) {
       const std::string message = error.what();
-      EXPECT_EQ(error.kind(), ErrorKind::kInput) << message;
+      EXPECT_EQ(error.kind(), kind) << message;
       EXPECT_TRUE(message.starts_with(part_.string() + ": ")) << message;
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
       return message;
@@ -238,7 +238,7 @@ TEST(CadProcess, AHangEndsWithItsTime) {
 TEST(CadProcess, AnAnswerOfMoreThanTheMemoryIsCutOff) {
   FakeReader reader("yes >&3; true");
   reader.options().max_memory_bytes = current_memory_bytes() + kHelperProgramBytes + 50'000'000;
-  expect_words(reader.error(), {"needs more than the 0.0", "or allow more memory"});
+  expect_words(reader.error(ErrorKind::kLimit), {"needs more than the 0.0", "or allow more memory"});
 }
 
 TEST(CadProcess, AProcessThatTheSystemStopsIsTakenForOneWithoutMemory) {
@@ -376,7 +376,7 @@ TEST(CadProcess, TakesNoMoreMemoryThanItMay) {
     const TriangleMesh mesh = read_surface(cad_files() / "rounded.brep", options);
     ADD_FAILURE() << mesh.triangles.size();
   } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_EQ(error.kind(), ErrorKind::kLimit);
     expect_words(error.what(), {"needs more than the", "or allow more memory"});
   }
 }

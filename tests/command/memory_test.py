@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`hex`, `tets` and repairs keep to --max-memory, with the programs that they start: what does not fit is refused before it is made."""
 
+import resource
 import subprocess
 import time
 import unittest
@@ -59,6 +60,25 @@ class WhatDoesNotFit(MemoryTest):
         self.assertIn("gmsh needs more than the 0.0", result.stderr)
         (self.folder / "out.mesh").unlink(missing_ok=True)
         self.refuse("tets", "box.stl", "--max-memory", "30MB", "-o", "out.mesh", words=["no memory is left to make tets: 0.03 GB are allowed"])
+
+
+class AddressSpace(MemoryTest):
+    """`ulimit -v`, which helpers inherit and do not know of."""
+
+    @unittest.skipUnless("gmsh" in MAKERS, "gmsh is not installed")
+    def test_that_does_not_suffice_is_told_as_memory(self):
+        self.write("box.stl", stl_bytes(box_triangles()))
+        codes = []
+        for megabytes in (90, 120, 600, 3000):
+            with self.subTest(megabytes=megabytes):
+                limits = (1000000 * megabytes,) * 2
+                result = self.run_here("tets", "box.stl", "-o", "out.mesh", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, limits))
+                codes.append(result.returncode)
+                (self.folder / "out.mesh").unlink(missing_ok=True)
+                self.assertIn(result.returncode, (0, LIMIT), result.stderr)
+                if result.returncode == LIMIT:
+                    self.assertRegex(result.stderr, "memory")
+        self.assertEqual((codes[0], codes[-1]), (LIMIT, 0))
 
 
 class RunsThatFit(MemoryTest):
