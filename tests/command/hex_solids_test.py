@@ -56,6 +56,14 @@ class OfTriangles(HexSolidsTest):
                 self.assertRegex(self.result.stderr, f"warning: two.stl: (solids|bodies) 1 and 2 meet only in {where}\n")
                 self.assertEqual([w["kind"] for w in self.report["warnings"]], ["touching_solids"])
 
+    def test_copies_of_a_body_are_left_out_and_told(self):
+        box = box_triangles((2.0, 2.0, 2.0))
+        for copies in (2, 3):
+            with self.subTest(copies=copies):
+                self.write("copies.stl", stl_bytes(np.concatenate([box] * copies + [box + (5, 0, 0)])))
+                self.assertRegex(self.hex("copies.stl", *FEW), "all-hex: 16 of 1 in 2 bodies")
+                self.assertIn(f"duplicated triangles: {12 * (copies - 1)} repeated", self.result.stderr)
+
     def test_bodies_in_one_place_are_no_success_however_their_faces_are_cut(self):
         box = box_triangles((2.0, 2.0, 2.0))
         middles = box.mean(axis=1, keepdims=True)
