@@ -236,11 +236,17 @@ std::string field_rows(const SolveReport& report, const SolveArguments& argument
          angles_row("alignment", report.onto->normal_deg, "the surface") + energy_row(report);
 }
 
+/// What hexahedra keep of the model's corners, creases and faces, if that was measured and there are any.
+std::string features_row(const HexReport& hexahedra) {
+  const std::string kept = hexahedra.features ? kept_of(*hexahedra.features) : "";
+  return kept.empty() ? "" : row("features", kept);
+}
+
 /// The result of `hex`.
 std::string hexahedra_rows(const SolveReport& report, const SolveArguments& arguments) {
   const HexReport& hexahedra = *report.hexahedra;
   std::string text = hexahedra_row(hexahedra, arguments);
-  if (hexahedra.hexahedra > 0) text += worst_row(hexahedra) + fit_row(hexahedra);
+  if (hexahedra.hexahedra > 0) text += worst_row(hexahedra) + fit_row(hexahedra) + features_row(hexahedra);
   return text + way_row(hexahedra);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/hex_features.hpp"
 #include "crossgrain/hex_outcome.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/types.hpp"
@@ -86,6 +87,11 @@ struct HexReport {
   /// regions of the model meet.
   std::size_t interface_faces = 0;
   double largest_interface_distance = 0;
+
+  /// What they keep of the model's features; none of a partial mesh, or where the model has too many.
+  std::optional<HexFeatures> features;
+  std::vector<HexFitTry> fit_tries;  ///< ways to keep them; empty where none was tried
+  std::size_t best_fit = 0;          ///< that made the mesh
 
   struct Quality {
     double least = 0, one_percent = 0, mean = 0;

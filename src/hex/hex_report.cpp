@@ -204,21 +204,13 @@ void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport
   measure_fit(mesh, model, fit_to, report);
 }
 
-void judge_fit(const HexMesh& mesh, const std::vector<HexAttempt>& attempts, double least_quality,
-               HexReport& report) {
-  const std::optional<double> size = size_for_volume(report, mesh.boundary.size());
-  if (size) {
-    report.outcome = HexOutcome::kApproximate;
-    report.reason = words_of_volume(report);
-    report.remedy = Remedy::kUseHexSize;
-    report.remedy_number = *size;
-  }
+void explain_shapes(const std::vector<HexAttempt>& attempts, double least_quality, HexReport& report) {
   if (report.quality.least >= least_quality) return;
   report.reason += fmt::format("{}badly shaped (worst scaled Jacobian {:.2g} at {})",
                                report.reason.empty() ? "" : ", and ", report.quality.least,
                                words_of_place(report.quality.worst_place));
-  report.places = {report.quality.worst_place};
-  if (!size) suggest_tets(attempts, report);
+  report.places.insert(report.places.begin(), report.quality.worst_place);
+  if (report.remedy == Remedy::kNone) suggest_tets(attempts, report);
 }
 
 void explain(const HexCandidate& best, const std::vector<HexAttempt>& attempts, HexReport& report) {

@@ -21,10 +21,8 @@ void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport
 /// attempts. The report has its outcome and quality.
 void explain(const HexCandidate& best, const std::vector<HexAttempt>& attempts, HexReport& report);
 
-/// Judges a result that is kAllHex so far: it is kApproximate where its volume is far off the model's. Fills
-/// in the reason; that of one that stays kAllHex if it has scaled Jacobians below the least.
-void judge_fit(const HexMesh& mesh, const std::vector<HexAttempt>& attempts, double least_quality,
-               HexReport& report);
+/// Adds to the reason if a whole result has scaled Jacobians below the least.
+void explain_shapes(const std::vector<HexAttempt>& attempts, double least_quality, HexReport& report);
 
 /// Returns how an attempt ended, in a line: "no map: ...", or "1268 hexahedra fill the model".
 std::string end_of(const HexCandidate& candidate, double least_quality);

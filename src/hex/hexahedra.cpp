@@ -11,7 +11,9 @@
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "fit/feature_fit.hpp"
 #include "hex/attempt_kinds.hpp"
+#include "hex/feature_judgement.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/hex_forecast.hpp"
 #include "hex/hex_making.hpp"
@@ -20,6 +22,7 @@
 #include "hex/model_fit.hpp"
 #include "hex/solid_judgement.hpp"
 #include "solve/tet_domain_data.hpp"
+#include "surface/model_faces.hpp"
 #include "tets/tet_shape.hpp"
 
 namespace crossgrain {
@@ -76,6 +79,22 @@ void check_options(const HexOptions& options) {
          "there must be a positive number of them along the longest side");
 }
 
+/// Interfaces between regions would be torn: their vertices move as those inside.
+bool is_one_region(const HexMesh& mesh) {
+  return std::ranges::all_of(mesh.regions, [&](std::int32_t region) { return region == mesh.regions[0]; });
+}
+
+/// Makes a mesh keep features; returns whether it was stopped.
+bool fit(const FeatureComplex& features, const Monitor& monitor, HexMesh& mesh, HexReport& report) {
+  if (features.faces.size() > kMostListedFaces) return false;
+  const WatchedLoops watched(monitor, Stops::kHeeded);
+  FeatureFit fitted = fitted_to_features(mesh, features, report.used_size);
+  mesh = std::move(fitted.best.mesh);
+  report.fit_tries = std::move(fitted.tries);
+  report.best_fit = fitted.best_try;
+  return fitted.is_stopped;
+}
+
 /// Returns the best of a queue that has a mesh, with the report of all attempts.
 Hexahedra best_hexahedra(const AttemptQueue& queue) {
   Stopwatch stopwatch;
@@ -97,21 +116,30 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
     report.left_out_place = centroid_of_tet(followed.solid().mesh, extracted.left_out.front());
   const std::vector<BodyContact> contacts = body_contacts(followed.solid());
   const bool has_inner_boundary = !contacts.empty() && contacts.front().is_of_areas();
+  const bool is_complete = queue.attempts()[queue.best_attempt()].outcome == HexOutcome::kAllHex;
+  std::optional<FeatureComplex> features;
+  if (is_complete && !has_inner_boundary) features = features_of_model(field.domain());
+  bool is_stopped = queue.is_stopped();
+  if (features && is_one_region(mesh)) is_stopped |= fit(*features, queue.monitor(), mesh, report);
   measure(mesh, followed.solid(), has_inner_boundary ? FitTo::kTets : FitTo::kGivenModel, report);
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
   explain(best, queue.attempts(), report);
   SolveReport whole = field.report();
   judge_solids(mesh, field.domain(), contacts, report, whole);
-  if (report.outcome == HexOutcome::kAllHex) judge_fit(mesh, queue.attempts(), queue.least_quality(), report);
+  if (report.outcome == HexOutcome::kAllHex) {
+    if (features) report.features = features_kept(mesh, *features, report.used_size);
+    judge_features(mesh, report);
+    explain_shapes(queue.attempts(), queue.least_quality(), report);
+  }
   mesh.is_partial = is_partial(report.outcome);
   count_quads(mesh, whole.faces);
   choose_size(whole.faces, followed.solid(), report);
   const bool is_up_to_solids = is_partial(report.outcome) && best.made->are_complete();
-  if (queue.is_stopped() && !is_up_to_solids) report.remedy = Remedy::kLetFinish;
+  if (is_stopped && !is_up_to_solids) report.remedy = Remedy::kLetFinish;
   report.attempts = queue.attempts();
   report.best_attempt = queue.best_attempt();
-  report.is_stopped = queue.is_stopped();
+  report.is_stopped = is_stopped;
   const HexSeconds& seconds = queue.seconds();
   report.repair_seconds = seconds.repair;
   report.map_seconds = seconds.map;

@@ -279,7 +279,7 @@ std::optional<Warning> poor_fit(const HexReport& report) {
   if (std::abs(missed) > kPoorVolume && is_partial(report.outcome))
     faults.push_back(fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
                                  missed < 0 ? "less" : "more"));
-  if (distance > kPoorDistance * report.used_size)
+  if (distance > kPoorDistance * report.used_size && report.outcome != HexOutcome::kApproximate)
     faults.push_back(fmt::format("{} by up to {:.2g}, at {}, which is {:.2g} of their size",
                                  is_off ? "are off the model's surface" : "miss parts of the model's surface",
                                  distance, words_of_place(at, std::cbrt(report.model_volume)),

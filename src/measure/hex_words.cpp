@@ -41,6 +41,11 @@ const char* fault_of_larger(const HexReport& report, double expected) {
   return fault;
 }
 
+/// How many hexahedra the features of the model have added.
+std::size_t added_by_fit(const HexReport& report) {
+  return report.fit_tries.empty() ? 0 : report.fit_tries[report.best_fit].added;
+}
+
 /// Returns number and size of hexahedra; of those that fill the model with what was expected where they are
 /// others, and why they are.
 std::string sizes_of(const HexReport& report) {
@@ -56,7 +61,8 @@ std::string sizes_of(const HexReport& report) {
         is_whole ? std::to_string(report.hexahedra) : counted(report.hexahedra, "hexahedron", "hexahedra"),
         report.used_size);
   const char* const reason = is_smaller ? fault_of_larger(report, expected)
-                             : is_more  ? "each wall and gap has one across"
+                             : is_more  ? (added_by_fit(report) > 0 ? "its features need layers of them"
+                                                                    : "each wall and gap has one across")
                                         : "the field leaves room for fewer";
   const double size = is_smaller ? report.used_size : std::cbrt(report.volume / made);
   return fmt::format("{} of {:.3g}{}, not about {:.0f} of {:.3g}: {}", report.hexahedra, size,
@@ -144,8 +150,14 @@ std::string way_of(const HexReport& report) {
     if (attempt.tet_size > 0 && attempt.round == best.round && attempt.tets > 0)
       size = fmt::format(" of {:.3g}", attempt.tet_size);
   }
-  return fmt::format("attempt {} of {}: field on {}{}, repaired{}", best.number, last,
-                     counted(best.tets, "tet"), size, best.kind == "repair" ? "" : ", " + best.kind);
+  std::string fit;
+  if (report.best_fit < report.fit_tries.size() && report.best_fit > 0) {
+    fit = ", fitted to the model";
+    if (added_by_fit(report) > 0)
+      fit += fmt::format(" with {} more", counted(added_by_fit(report), "hexahedron", "hexahedra"));
+  }
+  return fmt::format("attempt {} of {}: field on {}{}, repaired{}{}", best.number, last,
+                     counted(best.tets, "tet"), size, best.kind == "repair" ? "" : ", " + best.kind, fit);
 }
 
 std::string sentence_of(const HexReport& report) {

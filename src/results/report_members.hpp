@@ -157,6 +157,13 @@ void describe(File& file, Attempt& attempt) {
   CROSSGRAIN_MEMBERS(attempt, work, tet_seconds, seconds)
 }
 
+CROSSGRAIN_DESCRIBE(HexFeatures::Lack, kind, number, place, figure, share, size_to_show)
+CROSSGRAIN_DESCRIBE(HexFeatures::Kept, all, kept)
+CROSSGRAIN_DESCRIBE(HexFeatures::Distances, percentile_99, largest, place, largest_in_all)
+CROSSGRAIN_DESCRIBE(HexFitTry, way, hexahedra, added, unplaced, lacking, least, inverted, seconds)
+CROSSGRAIN_DESCRIBE(HexFeatures, corners, creases, crease_length, faces, of_mesh, of_model, volume_ratio,
+                    lacking, too_small)
+
 template <class File, MaybeConst<HexReport> Report>
 void describe(File& file, Report& hexahedra) {
   file.member("outcome", hexahedra.outcome);
@@ -170,7 +177,7 @@ void describe(File& file, Report& hexahedra) {
                      left_out, left_out_place, crowded_faces, open_edges, pinched_vertices, model, volume,
                      model_volume, area, model_area, largest_distance, largest_distance_place, mean_distance,
                      largest_distance_of_model, largest_distance_of_model_place, interface_faces,
-                     largest_interface_distance)
+                     largest_interface_distance, features, fit_tries, best_fit)
   file.member("scaled_jacobian", hexahedra.quality);
   file.member("scaled_jacobian_before", hexahedra.quality_before);
   CROSSGRAIN_MEMBERS(hexahedra, inner_valences, boundary_valences, attempts, best_attempt, is_stopped)

@@ -72,7 +72,8 @@ TEST(Hexahedra, CountAlongTheLongestSide) {
 TEST(Hexahedra, OfACylinderHaveGoodShapesAndKeepToItsSurface) {
   for (const double size : {0.5, 0.2}) {
     const HexReport report = hexahedra(cylinder_field(), of_size(size)).report();
-    EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
+    // Twelve edges around the cylinder would keep its volume; eight do not.
+    EXPECT_EQ(report.outcome, size < 0.3 ? HexOutcome::kAllHex : HexOutcome::kApproximate);
     EXPECT_GT(report.quality.least, 0.6);
     EXPECT_GT(report.quality.mean, size < 0.3 ? 0.9 : 0.85);
     EXPECT_GT(report.quality.least, report.quality_before.least);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+/// \addtogroup hexahedra Hexahedra
+/// @{
+
+/// What a mesh of hexahedra may lack of its model.
+enum class HexLackKind : int {
+  kCorner,    ///< no vertex on it
+  kCrease,    ///< no unbroken path of edges along it
+  kFace,      ///< no quads
+  kOffModel,  ///< the mesh is too far from the model
+  kOffMesh,   ///< the model is too far from the mesh
+  kVolume     ///< is too far off
+};
+
+/// Returns a name for files and scripts: "corner".
+const char* name_of(HexLackKind kind);
+
+/// What hexahedra keep of the features of a model. A feature is *resolved* unless it is shorter than two
+/// hexahedra or another one runs within one hexahedron of it; only resolved ones count. Soft features, such
+/// as the border of a fillet, do not.
+struct HexFeatures {
+  struct Lack {
+    HexLackKind kind{};
+    std::int32_t number = 0;  ///< of the face, or of the edge in its file; 0 without
+    Vector3 place{0, 0, 0};
+
+    /// Corners, creases and distances: how far off, in sizes of hexahedra; -1 if nothing is near. Volumes:
+    /// the mesh's over the model's.
+    double figure = 0;
+    double share = 0;         ///< of a crease's length that is kept
+    double size_to_show = 0;  ///< size of hexahedra that resolves it, for what is smaller than these; else 0
+  };
+
+  /// All that count, and those of them that are kept; lengths in the unit of the model.
+  struct Kept {
+    double all = 0, kept = 0;
+  };
+
+  /// Between the surfaces of hexahedra and model, in sizes of hexahedra: beyond what straight edges cut off a
+  /// curved surface (k e^2 / 8 for an edge of length e at curvature k), and in all.
+  struct Distances {
+    double percentile_99 = 0, largest = 0;
+    Vector3 place{0, 0, 0};
+    double largest_in_all = 0;
+  };
+
+  Kept corners, creases, crease_length, faces;
+  Distances of_mesh, of_model;  ///< of the mesh from the model, and of the model from the mesh
+  double volume_ratio = 1;      ///< the mesh's over the model's
+  std::vector<Lack> lacking;    ///< why hexahedra are only approximate
+  std::vector<Lack> too_small;  ///< smaller than the hexahedra and not kept
+
+  /// Whether all that is resolved is kept, and the surface within the limits.
+  bool is_faithful() const { return lacking.empty(); }
+};
+
+/// How a mesh that roughly fills a model is made to keep its features.
+enum class HexFitWay : int {
+  kAsMapped,  ///< it is left as it was extracted and smoothed
+  kFitted,    ///< its vertices are moved onto corners, creases and faces
+  kLayered    ///< the same, with layers of hexahedra where the model's angles need them
+};
+
+/// Returns a name for files and scripts: "as_mapped".
+const char* name_of(HexFitWay way);
+
+/// One way, and what came of it.
+struct HexFitTry {
+  HexFitWay way{};
+  std::size_t hexahedra = 0, added = 0;  ///< beside those given
+  std::size_t unplaced = 0;              ///< corners, creases and faces that the mesh has no place for
+  std::size_t lacking = 0;               ///< HexFeatures::lacking
+  double least = 0;                      ///< scaled Jacobian
+  std::size_t inverted = 0;
+  double seconds = 0;
+};
+
+/// Returns what is lacking: "2 creases are not kept, the first, edge 14, around 1 2 3"; empty if nothing is.
+std::string lacks_of(const HexFeatures& features);
+
+/// Returns what is kept: "8 of 8 corners, 12 of 12 creases and 6 of 6 faces kept; 3 smaller than the
+/// hexahedra".
+std::string kept_of(const HexFeatures& features);
+
+/// @}
+
+}  // namespace crossgrain

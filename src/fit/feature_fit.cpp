@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit/feature_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "crossgrain/error.hpp"
+#include "fit/coarser_features.hpp"
+#include "fit/embedding.hpp"
+#include "fit/hex_carriers.hpp"
+#include "fit/hex_fitting.hpp"
+#include "fit/layers.hpp"
+#include "measure/hex_quality.hpp"
+#include "measure/hex_validity.hpp"
+
+namespace crossgrain {
+namespace {
+
+using LackKind = FeatureMeasure::Kind;
+
+bool is_of_shape(const FeatureMeasure::Lack& lack) {
+  return lack.kind == LackKind::kOffModel || lack.kind == LackKind::kOffMesh ||
+         lack.kind == LackKind::kVolume;
+}
+
+std::size_t lost_features(const FeatureMeasure& measure) {
+  return measure.lacking.size() -
+         static_cast<std::size_t>(std::ranges::count_if(measure.lacking, is_of_shape));
+}
+
+/// Classes of worst shapes between which a difference counts: a tenth of a scaled Jacobian is worth no more
+/// hexahedra.
+int class_of(double least) {
+  return static_cast<int>(std::ranges::count_if(std::array{kPoorestShape, 0.1, kGoodShape},
+                                                [&](double bound) { return least >= bound; }));
+}
+
+struct SortedQuad {
+  std::array<std::uint32_t, 4> vertices;  ///< ascending
+  std::uint32_t index;
+  friend auto operator<=>(const SortedQuad&, const SortedQuad&) = default;
+};
+
+SortedQuad sorted_quad(std::array<std::uint32_t, 4> vertices, std::uint32_t index) {
+  std::ranges::sort(vertices);
+  return {vertices, index};
+}
+
+/// The face of each quad of an embedding, found by its vertices.
+class FacesOfQuads {
+ public:
+  FacesOfQuads(const HexMesh& mesh, const FeatureComplex& features, const Embedding& embedding)
+      : embedding_(embedding) {
+    const QuadComplex surface = surface_of(mesh, features);
+    for (std::uint32_t q = 0; q < surface.quads().size(); ++q)
+      quads_.push_back(sorted_quad(surface.quads()[q].vertices, q));
+    std::ranges::sort(quads_);
+  }
+
+  /// kNone without.
+  std::uint32_t face(const std::array<std::uint32_t, 4>& vertices) const {
+    const SortedQuad wanted = sorted_quad(vertices, 0);
+    const auto at = std::ranges::lower_bound(quads_, wanted);
+    if (at == quads_.end() || at->vertices != wanted.vertices) return Embedding::kNone;
+    return embedding_.face_of_quad[at->index];
+  }
+
+ private:
+  const Embedding& embedding_;
+  std::vector<SortedQuad> quads_;
+};
+
+FittedMesh measured(HexMesh mesh, const FeatureComplex& features, double size) {
+  FittedMesh fitted{std::move(mesh), {}};
+  fitted.measure = sharp_feature_measure(fitted.mesh, features, size);
+  const std::vector<double> shapes = scaled_jacobians(fitted.mesh);
+  if (!shapes.empty()) fitted.least = *std::ranges::min_element(shapes);
+  fitted.invalid = static_cast<std::size_t>(std::ranges::count(inverted_hexahedra(fitted.mesh), 1));
+  return fitted;
+}
+
+void tag_boundary(const FeatureComplex& features, const FacesOfQuads& faces, HexMesh& mesh) {
+  for (HexMesh::Face& quad : mesh.boundary)
+    if (const std::uint32_t face = faces.face(quad.vertices); face != Embedding::kNone)
+      quad.tag = features.faces[face].number;
+}
+
+HexCarriers carriers_in(const HexMesh& mesh, const FeatureComplex& features, const Embedding& embedding) {
+  std::vector<HexCarriers::Quad> quads;
+  const QuadComplex surface = surface_of(mesh, features);
+  for (std::uint32_t q = 0; q < surface.quads().size(); ++q)
+    if (const std::uint32_t face = embedding.face_of_quad[q]; face != Embedding::kNone)
+      quads.push_back({surface.quads()[q].vertices, face});
+  return carriers_on(mesh.vertices.size(), features, embedding.vertex_of_corner, embedding.path_of_curve,
+                     std::move(quads));
+}
+
+/// Moves an embedded mesh onto its features.
+FittedMesh moved_onto(HexMesh mesh, const FeatureComplex& features, const Embedding& embedding, double size) {
+  fit_onto(mesh, features, carriers_in(mesh, features, embedding), size);
+  tag_boundary(features, FacesOfQuads(mesh, features, embedding), mesh);
+  return measured(std::move(mesh), features, size);
+}
+
+/// The ways, one after the other, with the best so far.
+class FittingWays {
+ public:
+  FittingWays(const HexMesh& mesh, const FeatureComplex& features, double size)
+      : given_(mesh), embedded_features_(features), size_(size) {
+    keep(HexFitWay::kAsMapped, measured(mesh, features, size), 0);
+  }
+
+  bool is_good() const { return fit_.best.is_good(); }
+
+  void embed() {
+    embedded_ = given_;
+    embedding_ = embedded(embedded_, embedded_features_, size_);
+  }
+
+  void fit() {
+    keep(HexFitWay::kFitted, moved_onto(embedded_, embedded_features_, embedding_, size_),
+         embedding_.faults.size());
+  }
+
+  void fit_with_layers() {
+    add_layers(embedded_, embedded_features_, embedding_);
+    keep(HexFitWay::kLayered, moved_onto(embedded_, embedded_features_, embedding_, size_),
+         embedding_.faults.size());
+  }
+
+  void stop() { fit_.is_stopped = true; }
+  FeatureFit result() && { return std::move(fit_); }
+
+ private:
+  void keep(HexFitWay way, FittedMesh made, std::size_t unplaced) {
+    const std::size_t hexahedra = made.mesh.hexahedra.size();
+    fit_.tries.push_back({way, hexahedra, hexahedra - given_.hexahedra.size(), unplaced,
+                          made.measure.lacking.size(), made.least, made.invalid, stopwatch_.restart()});
+    if (fit_.tries.size() > 1 && !is_better_fit(made, fit_.best)) return;
+    fit_.best = std::move(made);
+    fit_.best_try = fit_.tries.size() - 1;
+  }
+
+  const HexMesh& given_;
+  FeatureComplex embedded_features_;
+  const double size_;
+  Stopwatch stopwatch_;
+  HexMesh embedded_;
+  Embedding embedding_;
+  FeatureFit fit_;
+};
+
+}  // namespace
+
+FeatureMeasure sharp_feature_measure(const HexMesh& mesh, const FeatureComplex& features, double size) {
+  std::vector<bool> is_soft;
+  for (const FeatureComplex::Curve& curve : features.curves) is_soft.push_back(curve.is_soft);
+  FeatureMeasure measure = feature_measure(mesh, without_curves(features, is_soft).complex, size);
+  if (std::ranges::none_of(is_soft, [](bool soft) { return soft; })) return measure;
+  FeatureMeasure of_faces = feature_measure(mesh, features, size);
+  const auto is_of_face = [](const FeatureMeasure::Lack& lack) { return lack.kind == LackKind::kFace; };
+  for (auto list : {&FeatureMeasure::lacking, &FeatureMeasure::too_small}) {
+    std::erase_if(measure.*list, is_of_face);
+    std::ranges::copy_if(of_faces.*list, std::back_inserter(measure.*list), is_of_face);
+    std::ranges::stable_sort(measure.*list, {}, &FeatureMeasure::Lack::kind);
+  }
+  measure.faces = of_faces.faces;
+  return measure;
+}
+
+bool FittedMesh::is_good() const {
+  return invalid == 0 && measure.is_faithful() && least >= kGoodShape;
+}
+
+bool is_better_fit(const FittedMesh& mesh, const FittedMesh& other) {
+  const auto worth = [](const FittedMesh& one) {
+    const bool is_usable = one.invalid == 0 && one.least >= kPoorestShape;
+    const auto lost = lost_features(one.measure);
+    return std::tuple(one.invalid == 0, is_usable, -static_cast<double>(lost),
+                      -static_cast<double>(one.measure.lacking.size() - lost), class_of(one.least),
+                      -static_cast<double>(one.mesh.hexahedra.size()));
+  };
+  return worth(mesh) > worth(other);
+}
+
+FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, double size) {
+  FittingWays ways(mesh, features, size);
+  if (ways.is_good()) return std::move(ways).result();
+  try {
+    ways.embed();
+    ways.fit();
+    if (!ways.is_good()) ways.fit_with_layers();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInterrupted) throw;
+    ways.stop();
+  }
+  return std::move(ways).result();
+}
+
+}  // namespace crossgrain

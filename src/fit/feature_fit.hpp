@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh of hexahedra that roughly fills a model, made to keep its corners, creases and faces.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "crossgrain/hex_features.hpp"
+#include "crossgrain/hex_mesh.hpp"
+#include "measure/feature_measure.hpp"
+#include "surface/feature_complex.hpp"
+
+namespace crossgrain {
+
+/// Returns what hexahedra keep of a model. Corners and creases are those without the soft curves: a crease
+/// goes on where only these end in it. Faces are divided by soft curves too. Places are found from the mesh
+/// alone, not taken from an embedding. The numbers of corners and curves are those without soft ones.
+FeatureMeasure sharp_feature_measure(const HexMesh& mesh, const FeatureComplex& features, double size);
+
+/// A mesh, and what it keeps of its model.
+struct FittedMesh {
+  HexMesh mesh;
+  FeatureMeasure measure;
+  double least = 0;         ///< scaled Jacobian
+  std::size_t invalid = 0;  ///< hexahedra that are not valid (is_valid)
+
+  /// Whether nothing better is looked for.
+  bool is_good() const;
+};
+
+struct FeatureFit {
+  FittedMesh best;
+  std::vector<HexFitTry> tries;
+  std::size_t best_try = 0;
+  bool is_stopped = false;  ///< by Monitor::stop: the best of those that had ended by then
+};
+
+/// Returns the best of: the mesh as given; it moved onto the features after these are embedded in its
+/// surface; and the same with layers where the model's angles need them. A way is tried only if those before
+/// have lost something, or have shapes below kGoodShape. The best is valid; then it lacks the fewest
+/// features; then is near the surface; then its worst hexahedron is of the better class; then it has fewer
+/// hexahedra.
+///
+/// `size` is about the edge of the hexahedra. Quads have the number of the model's face that they lie on.
+/// Old vertices and hexahedra keep their numbers. Regions stay; hexahedra of all regions are one solid here.
+/// The same to the bit for any number of threads. A stop of watched loops returns what there is.
+FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, double size);
+
+/// Worst scaled Jacobians: good ones, and the least that finite elements are commonly computed on.
+inline constexpr double kGoodShape = 0.2, kPoorestShape = 0.02;
+
+/// Whether a mesh is worth more than another.
+bool is_better_fit(const FittedMesh& mesh, const FittedMesh& other);
+
+}  // namespace crossgrain

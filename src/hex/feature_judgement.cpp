@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/feature_judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fit/feature_fit.hpp"
+#include "hex/model_fit.hpp"
+#include "solve/tet_domain_data.hpp"
+#include "surface/model_faces.hpp"
+#include "surface/topology.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Figure of what has nothing near it.
+constexpr double kNowhere = -1;
+
+HexLackKind kind_of(FeatureMeasure::Kind kind) {
+  switch (kind) {
+    case FeatureMeasure::Kind::kCorner:
+      return HexLackKind::kCorner;
+    case FeatureMeasure::Kind::kCurve:
+      return HexLackKind::kCrease;
+    case FeatureMeasure::Kind::kFace:
+      return HexLackKind::kFace;
+    case FeatureMeasure::Kind::kOffModel:
+      return HexLackKind::kOffModel;
+    case FeatureMeasure::Kind::kOffMesh:
+      return HexLackKind::kOffMesh;
+    default:
+      return HexLackKind::kVolume;
+  }
+}
+
+/// Without volumes: the report has those of the model as given, which are exact for CAD models.
+std::vector<HexFeatures::Lack> lacks_in(const std::vector<FeatureMeasure::Lack>& measured) {
+  std::vector<HexFeatures::Lack> lacks;
+  for (const FeatureMeasure::Lack& lack : measured) {
+    if (lack.kind == FeatureMeasure::Kind::kVolume) continue;
+    const double figure = std::isfinite(lack.figure) ? lack.figure : kNowhere;
+    lacks.push_back({kind_of(lack.kind), lack.number, lack.place, figure, lack.share, lack.size_to_show});
+  }
+  return lacks;
+}
+
+HexFeatures::Distances distances_in(const DistanceFigures& figures) {
+  return {figures.percentile_99, figures.largest, figures.place, figures.largest_in_all};
+}
+
+bool is_of_surface(const HexFeatures::Lack& lack) {
+  return lack.kind == HexLackKind::kOffModel || lack.kind == HexLackKind::kOffMesh;
+}
+
+}  // namespace
+
+FeatureComplex features_of_model(const TetDomain& domain) {
+  const GivenModel* const given = domain.mesh().given.get();
+  TriangleMesh surface = given ? given->surface : domain.boundary();
+  FeatureOptions options;
+  if (given) options.angles.least_deg = given->crease_angle_deg;
+  options.unite_solids = true;
+  return feature_complex(prepare_surface(CheckedMesh::derived(weld(std::move(surface)))), options);
+}
+
+HexFeatures features_kept(const HexMesh& mesh, const FeatureComplex& features, double size) {
+  HexFeatures kept;
+  if (features.faces.size() > kMostListedFaces) return kept;
+  // Hexahedra of several solids are one here: what is between them is judged apart (judge_solids).
+  HexMesh united = mesh;
+  united.regions.clear();
+  const FeatureMeasure measured = sharp_feature_measure(united, features, size);
+  const auto kept_of = [](const FeatureMeasure::Kept& all) { return HexFeatures::Kept{all.all, all.kept}; };
+  kept.corners = kept_of(measured.corners);
+  kept.creases = kept_of(measured.curves);
+  kept.crease_length = kept_of(measured.curve_length);
+  kept.faces = kept_of(measured.faces);
+  kept.of_mesh = distances_in(measured.distances.of_mesh);
+  kept.of_model = distances_in(measured.distances.of_model);
+  kept.lacking = lacks_in(measured.lacking);
+  kept.too_small = lacks_in(measured.too_small);
+  return kept;
+}
+
+void judge_features(const HexMesh& mesh, HexReport& report) {
+  if (!report.features) report.features.emplace();
+  HexFeatures& features = *report.features;
+  features.volume_ratio = report.volume / report.model_volume;
+  const std::optional<double> size = size_for_volume(report, mesh.boundary.size());
+  if (size)
+    features.lacking.push_back(
+        {HexLackKind::kVolume, 0, report.largest_distance_of_model_place, features.volume_ratio});
+  if (features.lacking.empty()) return;
+  report.outcome = HexOutcome::kApproximate;
+  report.reason = lacks_of(features);
+  for (const HexFeatures::Lack& lack : features.lacking)
+    if (report.places.size() < HexReport::kMostPlaces) report.places.push_back(lack.place);
+  if (size) {
+    report.remedy = Remedy::kUseHexSize;
+    report.remedy_number = *size;
+  } else if (std::ranges::any_of(features.lacking, is_of_surface)) {
+    report.remedy = Remedy::kTakeSmallerHexahedra;
+  }
+}
+
+}  // namespace crossgrain
