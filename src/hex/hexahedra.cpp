@@ -118,7 +118,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   const bool has_inner_boundary = !contacts.empty() && contacts.front().is_of_areas();
   const bool is_complete = queue.attempts()[queue.best_attempt()].outcome == HexOutcome::kAllHex;
   std::optional<FeatureComplex> features;
-  if (is_complete && !has_inner_boundary) features = features_of_model(field.domain());
+  if (is_complete && contacts.empty()) features = features_of_model(field.domain());
   bool is_stopped = queue.is_stopped();
   if (features && is_one_region(mesh)) is_stopped |= fit(*features, queue.monitor(), mesh, report);
   measure(mesh, followed.solid(), has_inner_boundary ? FitTo::kTets : FitTo::kGivenModel, report);
