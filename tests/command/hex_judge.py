@@ -95,7 +95,8 @@ class Verdict:
         self.figures["creases"] = {
             "number": int(resolved.sum()), "kept": int((resolved & is_kept).sum()), "length": float(lengths[resolved].sum()),
             "kept_length": float((lengths * shares)[resolved].sum()), "unresolved": int((~resolved).sum()),
-            "unresolved_kept": int((~resolved & is_kept).sum()),
+            "unresolved_kept": int((~resolved & is_kept).sum()), "unresolved_length": float(lengths[~resolved].sum()),
+            "unresolved_kept_length": float((lengths * shares)[~resolved].sum()),
             "missing": [{"curve": k, "place": features.curves[k].place(features.curves[k].length / 2).tolist(),
                          "length": float(lengths[k]), "share": float(shares[k])} for k in lost]}
         self.figures["scaled_jacobian"]["bound"] = min((float(curve.bounds.min()) for curve, k in zip(features.curves, is_kept) if k), default=1.0)

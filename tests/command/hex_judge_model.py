@@ -15,8 +15,8 @@ from hex_judge_mesh import LINE, TRIANGLE, ClosedSurface, GmshFile, edges_of
 
 CAD_ENDINGS = (".step", ".stp", ".igs", ".iges", ".brep")
 FINE = 40  # triangles of CAD faces are no longer than the longest side over this,
-AROUND = 48  # and at least as many around a full turn
-GMSH_SECONDS = 120
+AROUND = 32  # and at least as many around a full turn
+GMSH_SECONDS = 600
 TET_FACES = np.array([(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)])  # outward of positive tets
 
 
@@ -77,7 +77,7 @@ class Model:
         """Faces of one solid each: those between two are inside."""
         made = folder / f"{path.stem}.model.msh"
         if not made.exists():
-            run_gmsh(path, made, 1e22)
+            run_gmsh(path, made, 1e22, "-1")
             longest = np.ptp(GmshFile(made).points, axis=0).max()
             run_gmsh(path, made, longest / FINE)
         file = GmshFile(made)
@@ -111,8 +111,8 @@ class Model:
         return cls(points, triangles[is_whole])
 
 
-def run_gmsh(path, made, longest_edge):
-    command = ["gmsh", path, "-2", "-clmax", repr(float(longest_edge)), "-clcurv", str(AROUND), "-format", "msh41", "-save_all",
+def run_gmsh(path, made, longest_edge, dimension="-2"):
+    command = ["gmsh", path, dimension, "-clmax", repr(float(longest_edge)), "-clcurv", str(AROUND), "-format", "msh41", "-save_all",
                "-nt", "1", "-v", "1", "-o", made]
     done = subprocess.run(command, capture_output=True, text=True, timeout=GMSH_SECONDS, check=False)
     if not made.exists():
