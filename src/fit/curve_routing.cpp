@@ -42,7 +42,8 @@ CurveRouting::CurveRouting(const HexMesh& mesh, const QuadComplex& surface, cons
                            const SolidSets& sets, double size)
     : mesh_(mesh), surface_(surface), sets_(sets), size_(size) {
   for (std::uint32_t c = 0; c < features.curves.size(); ++c)
-    guides_.push_back({CurveLine(features, c), thirds_of(features, c, size), {}});
+    guides_.push_back(
+        {CurveLine(features, c), thirds_of(features, c, size), features.curves[c].is_closed(), {}});
   const std::size_t vertices = mesh.vertices.size(), edges = surface.edges().size();
   is_blocked_.assign(vertices, false);
   vertex_uses_.assign(vertices, 0);
@@ -58,8 +59,9 @@ const CurveRouting::Near& CurveRouting::near(std::uint32_t curve, std::uint32_t 
   const auto [entry, is_new] = guide.near[third].try_emplace(vertex);
   if (is_new) {
     const double whole = guide.line.length(), part = whole / guide.thirds;
-    const double low = guide.thirds == 1 ? 0 : third * part - size_;
-    const double high = guide.thirds == 1 ? whole : (third + 1) * part + size_;
+    const double more = std::min(size_, part / 2);  // beyond each third
+    const double low = guide.thirds == 1 ? 0 : third * part - more;
+    const double high = guide.thirds == 1 ? whole : (third + 1) * part + more;
     const CurveLine::Nearest nearest = guide.line.nearest(mesh_.vertices[vertex], low, high);
     entry->second = {nearest.distance / size_, nearest.tangent};
   }
@@ -79,8 +81,12 @@ double CurveRouting::edge_cost(std::uint32_t curve, std::uint32_t third, std::ui
 
 double CurveRouting::change_cost(std::uint32_t curve, std::uint32_t third, std::uint32_t vertex) const {
   const Guide& guide = guides_[curve];
-  const Vector3 point = guide.line.at(guide.line.length() * (third + 1) / guide.thirds);
-  const double off = std::max(0.0, norm(mesh_.vertices[vertex] - point) / size_ - kFreeChange);
+  const double whole = guide.line.length(), part = whole / guide.thirds, place = part * (third + 1);
+  const Vector3& point = mesh_.vertices[vertex];
+  // On a short curve all vertices are near; what lies in the middle of a third belongs to no other.
+  const double apart = std::abs(guide.line.nearest(point, 0, whole).arc_length - place);
+  if (std::min(apart, guide.is_closed ? whole - apart : apart) > part / 2) return INFINITY;
+  const double off = std::max(0.0, norm(point - guide.line.at(place)) / size_ - kFreeChange);
   return kChangeCost * off * off;
 }
 
@@ -117,11 +123,15 @@ void CurveRouting::relax(const CurveNet& net, std::uint32_t goal, std::uint32_t 
   const std::uint32_t third = state.place / vertices, v = state.place % vertices;
   const std::uint32_t last = guides_[net.curve].thirds - 1, set = sets_.of_curve[net.curve];
   const bool is_start = state.place == start;
+  // A path does not turn back on its edge: a short closed one would come home by the way it went.
+  std::uint32_t before = is_start ? kNowhere : from_[state.place];
+  while (before != kNowhere && before % vertices == v) before = from_[before];
   if (third < last && !is_start)
     reach(state.place + vertices, state.cost + change_cost(net.curve, third, v), state.place);
   for (const std::uint32_t edge : surface_.edges_of(v)) {
     if (sets_.of_edge[edge] != set) continue;
     const std::uint32_t other = surface_.other_end(edge, v), place = third * vertices + other;
+    if (before != kNowhere && other == before % vertices) continue;
     const bool is_goal = place == goal;
     if (!is_goal && (is_blocked_[other] || sets_.of_vertex[other] != set || other == start % vertices ||
                      other == goal % vertices))

@@ -55,7 +55,7 @@ class CurveRouting {
   /// curve that is not divided). Without what others use.
   double edge_cost(std::uint32_t curve, std::uint32_t third, std::uint32_t edge, std::uint32_t vertex);
 
-  /// What the change from one third to the next costs at a vertex.
+  /// What the change from one third to the next costs at a vertex; infinite in the middle of a third.
   double change_cost(std::uint32_t curve, std::uint32_t third, std::uint32_t vertex) const;
 
   std::uint32_t thirds(std::uint32_t curve) const { return guides_[curve].thirds; }
@@ -68,6 +68,7 @@ class CurveRouting {
   struct Guide {
     CurveLine line;
     std::uint32_t thirds;  // 3 or 1
+    bool is_closed;
     std::array<std::unordered_map<std::uint32_t, Near>, 3> near;
   };
   struct State {

@@ -168,6 +168,17 @@ TEST(Embedding, PutsRoundRimsOntoTheStepsOfALattice) {
                   features);
 }
 
+TEST(Embedding, GoesAroundHolesOfOneCell) {
+  const TriangleMesh plate =
+      extrude({{0, 0}, {7, 0}, {7, 5}, {0, 5}},
+              {round_hole({2.45, 2.5}, 0.4, 24), round_hole({4.65, 2.5}, 0.3, 24)}, 0, {2});
+  const FeatureComplex features = feature_complex(prepare_surface(CheckedMesh(plate)));
+  expect_embedded(
+      shaken(lattice_mesh({7, 5, 2}, [](int x, int y, int) { return y == 2 && (x == 2 || x == 4) ? 0 : 1; }),
+             0.15, 3),
+      features);
+}
+
 TEST(Embedding, EndsADanglingCurveInAVertex) {
   const HexMesh mesh = lattice_mesh({6, 6, 6}, [](int, int, int) { return 1; });
   // A box whose top a crease enters from one side, ending in the middle: as a curve of the file.
