@@ -13,7 +13,8 @@ namespace crossgrain {
 
 /// What is known of a model as soon as its file is read, before anything is mended or computed.
 struct ModelSummary {
-  Box bounding_box{};  ///< of the vertices of triangles and tets, model units; empty if there are none
+  /// Model units: of a CAD model exact, else of the vertices of triangles and tets; empty if there are none.
+  Box bounding_box{};
   std::string unit = {}, file_unit = {};  ///< TriangleMesh::unit and file_unit
   std::size_t triangles = 0;              ///< of a surface; 0 for tets
   std::size_t tets = 0;                   ///< 0 for a surface

@@ -118,9 +118,10 @@ struct TriangleMesh {
   std::string unit = {};
   std::string file_unit = {};
 
-  /// The faces of a CAD model, ascending by number, and its exact size; empty and 0 for other surfaces.
+  /// The faces of a CAD model, ascending by number, its exact size and box; empty and 0 for other surfaces.
   std::vector<ModelFace> face_list = {};
   ModelSize exact_size = {};
+  Box exact_box = {};
 
   /// What reading found. A solve passes them on to its report.
   std::vector<Warning> warnings = {};
@@ -138,6 +139,10 @@ struct GivenModel {
 
   /// The angle by which its edges count as sharp, unless it brings its creases along.
   double crease_angle_deg = 35;
+
+  /// Of a CAD model: triangles between its solids that are the same of both, each once, of the vertices of
+  /// `surface`.
+  std::vector<std::array<std::uint32_t, 3>> between = {};
 };
 
 /// A solid cut into tets that index vertices, in either orientation.

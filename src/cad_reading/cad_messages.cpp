@@ -52,6 +52,7 @@ void exchange_cad(Stream& stream, Answer& answer) {
     stream.value(face.solids);
   });
   stream.value(mesh.exact_size);
+  stream.value(mesh.exact_box);
   stream.items(mesh.unit);
   stream.items(mesh.file_unit);
   stream.list(mesh.warnings, kLeastWarningBytes, [&stream](auto& warning) {
@@ -90,6 +91,10 @@ bool is_sound(const ModelFace& face) {
          are_finite(std::span(&face.centre, 1));
 }
 
+bool is_sound(const Box& box) {
+  return are_finite(std::array{box.low, box.high}) && box.low <= box.high;
+}
+
 bool are_numbers(const std::vector<std::int32_t>& items) {
   return std::all_of(items.begin(), items.end(), [](std::int32_t item) { return item >= 0; });
 }
@@ -105,8 +110,8 @@ bool is_consistent(const TriangleMesh& mesh) {
                      [](const CreaseCurve& crease) { return is_sound(crease); }) &&
          std::all_of(mesh.face_list.begin(), mesh.face_list.end(),
                      [](const ModelFace& face) { return is_sound(face); }) &&
-         is_size(mesh.exact_size.volume) && is_size(mesh.exact_size.area) && is_line(mesh.unit) &&
-         is_line(mesh.file_unit) && mesh.warnings.size() <= kMostCadWarnings &&
+         is_size(mesh.exact_size.volume) && is_size(mesh.exact_size.area) && is_sound(mesh.exact_box) &&
+         is_line(mesh.unit) && is_line(mesh.file_unit) && mesh.warnings.size() <= kMostCadWarnings &&
          std::all_of(mesh.warnings.begin(), mesh.warnings.end(),
                      [](const Warning& warning) { return is_sound(warning); }) &&
          are_in_range(mesh.triangles, mesh.vertices.size());

@@ -85,7 +85,8 @@ SolveReport::Model PreparedModel::description() const {
   const SurfaceTopology& topology = mended().topology;
   SolveReport::Model model;
   model.triangles = mesh_.triangles.size();
-  model.bounding_box = surface().box;
+  const bool has_exact_box = longest_side(mesh_.exact_box) > 0;
+  model.bounding_box = has_exact_box ? mesh_.exact_box : surface().box;
   model.watertight = topology.watertight || (has_several_solids(mesh_) && topology.unbalanced_edges == 0);
   model.components = topology.components;
   model.unit = mesh_.unit;

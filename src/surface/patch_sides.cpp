@@ -252,6 +252,7 @@ TriangleMesh selected_triangles(const TriangleMesh& mesh, const std::vector<std:
   result.file_unit = mesh.file_unit;
   result.face_list = mesh.face_list;
   result.exact_size = mesh.exact_size;
+  result.exact_box = mesh.exact_box;
   result.warnings = mesh.warnings;
   const auto select = [&](const auto& from, auto& to) {
     if (from.empty()) return;

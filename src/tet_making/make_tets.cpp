@@ -177,9 +177,11 @@ std::shared_ptr<const GivenModel> given_cad(const TriangleMesh& mesh, double cre
   const SolidSplit split = split_solids(CheckedMesh(mesh), /*unite=*/true);
   const TriangleMesh& outer = *split.outer;
   const bool is_exact = mesh.exact_size.volume > 0;
-  return std::make_shared<const GivenModel>(GivenModel{
-      is_exact ? ModelSource::kCad : ModelSource::kSurface, mesh.face_list,
-      is_exact ? mesh.exact_size : size_of(outer.vertices, outer.triangles), outer, crease_angle_deg});
+  GivenModel given{is_exact ? ModelSource::kCad : ModelSource::kSurface, mesh.face_list,
+                   is_exact ? mesh.exact_size : size_of(outer.vertices, outer.triangles), outer,
+                   crease_angle_deg};
+  for (const SolidSplit::Between& pair : split.between) given.between.push_back(pair.triangle);
+  return std::make_shared<const GivenModel>(std::move(given));
 }
 
 std::shared_ptr<const GivenModel> given_surface(const PatchedSurface& surface, FaceKind kind,

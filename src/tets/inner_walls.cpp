@@ -162,6 +162,7 @@ TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& 
   TriangleMesh surface{mesh.vertices, solid.boundary};
   surface.unit = mesh.unit;
   surface.file_unit = mesh.file_unit;
+  if (mesh.given) surface.exact_box = mesh.given->surface.exact_box;
   if (has_several_regions(mesh)) surface.solids = regions_of_boundary(solid);
   for (const InnerWall& wall : walls) {
     if (!wall.separates_regions) {

@@ -61,7 +61,9 @@ const char* name_of(LengthUnit unit) {
 }
 
 ModelSummary summary_of(const TriangleMesh& mesh) {
-  ModelSummary model{box_of(mesh.vertices, mesh.triangles), mesh.unit, mesh.file_unit};
+  const bool has_exact = longest_side(mesh.exact_box) > 0;
+  ModelSummary model{has_exact ? mesh.exact_box : box_of(mesh.vertices, mesh.triangles), mesh.unit,
+                     mesh.file_unit};
   model.triangles = mesh.triangles.size();
   model.faces = distinct(mesh.faces);
   model.solids = distinct(mesh.solids);

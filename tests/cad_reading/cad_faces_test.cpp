@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The faces of CAD models with their kinds, areas and centroids, and exact sizes.
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <string>
 
+#include "base/vector3.hpp"
 #include "cad_reading/made_cad_answers.hpp"
 #include "cad_reading/made_cad_files.hpp"
+#include "crossgrain/model_summary.hpp"
 #include "mesh_files/surface_files.hpp"
 
 #ifdef CROSSGRAIN_CAD_FILES
@@ -61,6 +65,43 @@ TEST(CadFaces, OfCurvedSolidsHaveTheSizesOfTheirFormulas) {
   const TriangleMesh rounded = read_made("rounded.brep");  // a cube of 14 and all within 3 of it
   EXPECT_NEAR(rounded.exact_size.area, 6 * 196 + 6 * kPi * 14 * 3 + 4 * kPi * 9, 1e-5);
   EXPECT_NEAR(rounded.exact_size.volume, 2744 + 6 * 196 * 3 + 3 * kPi * 14 * 9 + 36 * kPi, 1e-4);
+}
+
+/// Half the extent of a circle of radius 1 across an axis, along a coordinate.
+double half_width(double along) {
+  return std::sqrt(1 - along * along);
+}
+
+TEST(CadFaces, OfTurnedSolidsHaveTheBoxesOfTheirFormulas) {
+  const Vector3 from{1, 2, 3}, axis = normalised(from);
+  const auto expect = [&](const std::string& name, const auto& low_of, const auto& high_of) {
+    for (const std::string kind : {"oblique_", "spline_"}) {
+      const TriangleMesh mesh = read_made(kind + name + ".brep");
+      EXPECT_EQ(summary_of(mesh).bounding_box.low, mesh.exact_box.low);
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(mesh.exact_box.low[k], from[k] + low_of(axis[k]), 1e-8) << kind << name << " along " << k;
+        EXPECT_NEAR(mesh.exact_box.high[k], from[k] + high_of(axis[k]), 1e-8)
+            << kind << name << " along " << k;
+      }
+    }
+  };
+  expect(
+      "sphere", [](double) { return -5; }, [](double) { return 5; });
+  const auto below_disc = [](double along) { return -5 * half_width(along); };
+  expect("cylinder", below_disc, [](double along) { return 20 * along + 5 * half_width(along); });
+  expect("cone", below_disc, [](double along) { return std::max(5 * half_width(along), 20 * along); });
+  const auto half_torus = [](double along) { return 10 * half_width(along) + 2; };
+  expect(
+      "torus", [&](double along) { return -half_torus(along); }, half_torus);
+}
+
+TEST(CadFaces, OfFlatSolidsHaveTheBoxesOfTheirVertices) {
+  const TriangleMesh mesh = read_made("chamfered.step");
+  const Box box = mesh.exact_box, given = box_of(mesh.vertices);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(box.low[k], given.low[k], 1e-12);
+    EXPECT_NEAR(box.high[k], given.high[k], 1e-12);
+  }
 }
 
 TEST(CadFaces, NumbersAreThoseOfTheTriangles) {

@@ -100,6 +100,7 @@ TEST(CadProcess, HandsOverTheWholeMesh) {
   EXPECT_EQ(got.face_list[1].solids, 2u);
   EXPECT_EQ(got.exact_size.volume, 1.5);
   EXPECT_EQ(got.exact_size.area, 2.5);
+  EXPECT_EQ(got.exact_box.high, (Vector3{1, 1, 0.125}));
   EXPECT_EQ(got.unit, "mm");
   EXPECT_EQ(got.file_unit, "inch");
   ASSERT_EQ(got.warnings.size(), 2u);

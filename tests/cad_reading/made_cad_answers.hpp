@@ -34,6 +34,7 @@ inline CadAnswer some_answer() {
   answer.mesh.creases = {{{{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}, 5}};
   answer.mesh.face_list = {{1, FaceKind::kPlane, 0.5, {1, 2, 3}}, {2, FaceKind::kTorus, 1.5, {4, 5, 6}, 2}};
   answer.mesh.exact_size = {1.5, 2.5};
+  answer.mesh.exact_box = {{0, 0, 0}, {1, 1, 0.125}};
   answer.mesh.unit = "mm";
   answer.mesh.file_unit = "inch";
   answer.mesh.warnings = {{WarningKind::kUnknownUnit, "one"},

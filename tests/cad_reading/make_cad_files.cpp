@@ -7,12 +7,14 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
@@ -240,6 +242,16 @@ void write_all(const Folder& folder) {
   folder.step(BRepPrimAPI_MakeCylinder(axis, 5, 20).Shape(), "cylinder.step", "MM");
   folder.brep(BRepPrimAPI_MakeCone(axis, 5, 0, 10).Shape(), "cone.brep");
   folder.brep(BRepPrimAPI_MakeSphere(axis, 5).Shape(), "sphere.brep");
+  const gp_Ax2 oblique(gp_Pnt(1, 2, 3), gp_Dir(1, 2, 3));
+  const TopoDS_Shape turned[] = {
+      BRepPrimAPI_MakeSphere(oblique, 5).Shape(), BRepPrimAPI_MakeCylinder(oblique, 5, 20).Shape(),
+      BRepPrimAPI_MakeCone(oblique, 5, 0, 20).Shape(), BRepPrimAPI_MakeTorus(oblique, 10, 2).Shape()};
+  const char* const names[] = {"sphere", "cylinder", "cone", "torus"};
+  for (int k = 0; k < 4; ++k) {
+    folder.brep(turned[k], (std::string("oblique_") + names[k] + ".brep").c_str());
+    folder.brep(BRepBuilderAPI_NurbsConvert(turned[k]).Shape(),
+                (std::string("spline_") + names[k] + ".brep").c_str());
+  }
   folder.step(chamfered_block(), "chamfered.step", "MM");
   folder.brep(rounded_box(), "rounded.brep");
   folder.brep(glued_boxes(), "glued.brep");

@@ -14,6 +14,7 @@
 #include "cad_reading/cad_messages.hpp"
 #include "cad_reading/program/bodies.hpp"
 #include "cad_reading/program/confinement.hpp"
+#include "cad_reading/program/exact_box.hpp"
 #include "cad_reading/program/exact_faces.hpp"
 #include "cad_reading/program/fault.hpp"
 #include "cad_reading/program/shape_file.hpp"
@@ -36,6 +37,7 @@ CadAnswer read(const CadRequest& request) {
   const ExactFaces exact = exact_faces(bodies);
   mesh.face_list = exact.faces;
   mesh.exact_size = exact.size;
+  mesh.exact_box = exact_box(bodies);
   mesh.unit = file.unit;
   mesh.file_unit = one_line(file.file_unit);
   mesh.warnings.insert(mesh.warnings.begin(), bodies.warnings.begin(), bodies.warnings.end());
