@@ -103,7 +103,7 @@ class VotingPlaces {
 
 void add_grid_surface(const SolvedSurface& solved, const PlaceSampler& sampler, double cell_size,
                       const SingularityGraph& graph, SolveReport::Singularity& summary) {
-  const SolidSurface surface{solved.vertices, solved.triangles, solved.faces};
+  const SolidSurface surface{solved.vertices, solved.triangles, solved.faces, solved.regions};
   const SolidCreases creases = solid_creases(surface);
   const VotingPlaces voting(surface, creases, cell_size);
   const std::vector<Quaternion> frames = sampler.frames_at(voting.places());

@@ -126,8 +126,7 @@ class RegionFinder {
   }
 
   Claim claim(CellIndex leaf) const {
-    const Claim around =
-        level_.centre_inside(leaf) ? around_centre(level_.tree.centre(leaf)) : Claim{kNone, false};
+    const Claim around = level_.centre_inside(leaf) ? around_centre(leaf) : Claim{kNone, false};
     if (around.body != kNone) return around;
     return {level_.holds_surface(leaf) ? of_most_surface(leaf) : likeliest_at(level_.tree.centre(leaf)),
             false};
@@ -137,13 +136,20 @@ class RegionFinder {
   /// Share of the longest side: above the rounding of coordinates, below all cells.
   static constexpr double kBeside = 1e-7;
 
+  /// Solids that touch reach into each other by the distance of their triangles from the true surface, which
+  /// is at most a tenth of a cell for CAD files.
+  static constexpr double kTouchingCells = 0.25;
+
   Vector3 centroid(std::size_t triangle) const {
     const auto [a, b, c] = outer_.corners(triangle);
     return (1.0 / 3) * (a + b + c);
   }
 
-  Claim around_centre(const Vector3& centre) const {
+  Claim around_centre(CellIndex leaf) const {
+    const Vector3 centre = level_.tree.centre(leaf);
+    const double reach = kTouchingCells * level_.tree.cell_size(leaf);
     Claim claim{kNone, false};
+    int deep = 0;  // bodies that hold the centre deeper than touching ones do
     double closest = -INFINITY;
     std::uint32_t likeliest = kNone;
     for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
@@ -151,7 +157,8 @@ class RegionFinder {
       const double winding = bodies_[b]->winding.at(centre);
       if (winding > closest) closest = winding, likeliest = b;
       if (winding <= 0.5) continue;
-      claim.contested = claim.body != kNone;
+      deep += bodies_[b]->bvh.nearest(centre).squared_distance > reach * reach;
+      claim.contested = deep > 1;
       if (claim.body == kNone || bodies_[b]->volume < bodies_[claim.body]->volume) claim.body = b;
     }
     if (claim.body == kNone) claim.body = likeliest;

@@ -21,6 +21,14 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Smallest angle by which a crease turns at a corner: as on tets (tets/boundary_vertices.hpp).
 constexpr double kBendDeg = 45;
 
+/// Faces of two solids that turn by more at an edge lie on each other, with nothing between them: 0 and 360
+/// degrees are the same there.
+constexpr double kTouchingDeg = 135;
+
+bool is_between_solids(const SolidSurface& surface, const Edge& edge) {
+  return !surface.solids.empty() && surface.solids[edge.triangles[0]] != surface.solids[edge.triangles[1]];
+}
+
 /// The edge if two triangles run along it in opposite directions and it is long enough to have one.
 std::optional<Edge> edge_of(const SolidSurface& surface, std::span<const EdgeUse> uses) {
   if (uses.size() != 2 || uses[0].forward == uses[1].forward) return std::nullopt;
@@ -41,7 +49,9 @@ std::vector<Edge> sharp_edges(const SolidSurface& surface) {
   const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.triangles);
   for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
     const auto edge = edge_of(surface, uses);
-    if (edge && std::abs(edge->angle_deg - 180) > kSharpDeg) edges.push_back(*edge);
+    const double turn = edge ? std::abs(edge->angle_deg - 180) : 0;
+    if (turn > kSharpDeg && !(turn > kTouchingDeg && is_between_solids(surface, *edge)))
+      edges.push_back(*edge);
   });
   return edges;
 }

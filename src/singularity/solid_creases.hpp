@@ -45,11 +45,13 @@ struct SolidSurface {
   std::span<const std::array<std::uint32_t, 3>> triangles;
   std::span<const std::int32_t> faces =
       {};  ///< of the model, of each triangle; empty if they have no numbers
+  std::span<const std::int32_t> solids =
+      {};  ///< of each triangle; empty where different solids share all triangles between them
 };
 
 /// Returns the creases: edges of two triangles that turn by more than 30 degrees, joined where two meet that
-/// turn by less than 45. Edges of other numbers of triangles are none. Their order depends on the
-/// numbers of vertices only.
+/// turn by less than 45. Edges of other numbers of triangles are none, nor are those where faces of two
+/// solids lie on each other. Their order depends on the numbers of vertices only.
 SolidCreases solid_creases(const SolidSurface& surface);
 
 /// Smallest angle by which the surface turns at a crease: as on tets (tets/boundary_vertices.hpp).

@@ -133,6 +133,11 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh,
   data.regions = std::move(found.of_leaf);
   data.report.regions = std::move(found.regions);
 
+  // Triangles of solids that touch cross where they differ.
+  if (!found.warnings.empty() && found.warnings.front().kind == WarningKind::kTouchingSolids)
+    std::erase_if(data.report.input.findings, [](const SolveReport::Finding& finding) {
+      return finding.kind == FindingKind::kOverlappingComponents;
+    });
   std::vector<Warning>& warnings = data.report.warnings;
   if (data.report.unfinished) warnings.push_back(unfinished_warning(data.report));
   if (data.report.limited) warnings.push_back(memory_warning(data.report));

@@ -248,6 +248,10 @@ KnifeEdges knife_edges(const Surface& surface, std::span<const EdgeUse> all_uses
   for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
     if (uses.size() != 2 || uses[0].forward == uses[1].forward) return;
     if (cosine_between(surface, uses[0], uses[1]) >= largest_cosine) return;
+    // Where solids touch by other triangles, faces of both lie on each other.
+    if (!surface.mesh.solids.empty() &&
+        surface.mesh.solids[uses[0].triangle] != surface.mesh.solids[uses[1].triangle])
+      return;
     // A slit in the solid looks alike, but its other side is behind the plane of the first.
     const Vector3& on_edge = vertices[uses[0].low()];
     double ahead = 0;

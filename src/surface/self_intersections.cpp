@@ -166,7 +166,7 @@ class PairFinder {
                                       surface_.normals[b.triangle], tolerance_);
     const std::uint32_t a_part = part_of(a.triangle), b_part = part_of(b.triangle);
     if (a_part == b_part || a_part == kNoPart || b_part == kNoPart) {
-      if (crossing) found.add_crossing(*crossing);
+      if (crossing && !are_of_two_solids(a.triangle, b.triangle)) found.add_crossing(*crossing);
       return;
     }
     const PartPair parts = std::minmax(a_part, b_part);
@@ -175,6 +175,11 @@ class PairFinder {
     } else if (const auto place = near_point(a.corners, b.corners, tolerance_)) {
       found.add_meeting({parts, false, *place});
     }
+  }
+
+  bool are_of_two_solids(std::uint32_t a, std::uint32_t b) const {
+    const std::vector<std::int32_t>& solids = surface_.mesh.solids;
+    return !solids.empty() && solids[a] != solids[b];
   }
 
   std::uint32_t part_of(std::uint32_t triangle) const {

@@ -11,7 +11,8 @@ namespace crossgrain {
 /// Counting stops at this many crossing pairs.
 inline constexpr std::size_t kMostCrossings = 100000;
 
-/// Adds the findings: pairs of triangles that cross (`crossing_of`), pairs of closed parts that cross or of
+/// Adds the findings: pairs of triangles that cross (`crossing_of`), but for those of two solids, which touch
+/// or overlap there as solids; pairs of closed parts that cross or of
 /// which one lies inside the other without being a void, and pairs that touch. A pair of triangles of two
 /// closed parts counts for the parts only. `bvh` and `winding` are those of `mended.surface`.
 ///

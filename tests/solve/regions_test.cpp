@@ -56,6 +56,70 @@ TetMesh box_in_box() {
   return with_regions(TetBox{{6, 6, 6}}.mesh(), region_of);
 }
 
+/// Appends a polygon that is seen from outside the solid in this order.
+void add_face(const std::vector<Vector3>& corners, std::int32_t solid, TriangleMesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+  for (std::uint32_t k = 2; k < corners.size(); ++k) {
+    mesh.triangles.push_back({first, first + k - 1, first + k});
+    mesh.solids.push_back(solid);
+  }
+}
+
+/// A regular polygon in a plane across z, anticlockwise seen from above.
+std::vector<Vector3> ring(double radius, double z, double phase, std::size_t count = 24) {
+  std::vector<Vector3> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + phase) / static_cast<double>(count);
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+  }
+  return points;
+}
+
+/// The faces between two rings of equal count, outward where the second is anticlockwise around the first.
+void add_wall(const std::vector<Vector3>& low, const std::vector<Vector3>& high, std::int32_t solid,
+              TriangleMesh& mesh) {
+  for (std::size_t k = 0; k < low.size(); ++k) {
+    const std::size_t next = (k + 1) % low.size();
+    add_face({low[k], low[next], high[next], high[k]}, solid, mesh);
+  }
+}
+
+std::vector<Vector3> reversed(std::vector<Vector3> points) {
+  std::ranges::reverse(points);
+  return points;
+}
+
+/// A round plate of radius 3 and thickness 2 with a hole of radius 1, and a pin in the hole with a collar of
+/// radius `collar` on the plate, if that is more than 1. The polygons of the pin are those of the hole turned
+/// by a share of their edge.
+TriangleMesh plate_with_pin(double turn, double collar) {
+  TriangleMesh mesh;
+  const auto hole_low = ring(1, 0, 0), hole_high = ring(1, 2, 0), low = ring(3, 0, 0), high = ring(3, 2, 0);
+  add_wall(low, high, 0, mesh);
+  // Cut along the same diagonals as the wall of the pin.
+  for (std::size_t k = 0; k < hole_low.size(); ++k) {
+    const std::size_t next = (k + 1) % hole_low.size();
+    add_face({hole_low[k], hole_high[k], hole_high[next], hole_low[next]}, 0, mesh);
+  }
+  add_wall(high, hole_high, 0, mesh);
+  add_wall(hole_low, low, 0, mesh);
+  const auto foot = ring(1, 0, turn), neck = ring(1, 2, turn);
+  add_face(reversed(foot), 1, mesh);
+  add_wall(foot, neck, 1, mesh);
+  const auto under = ring(collar, 2, turn), top = ring(collar, 3.5, turn);
+  if (collar > 1) add_wall(neck, under, 1, mesh);
+  add_wall(under, top, 1, mesh);
+  add_face(top, 1, mesh);
+  return mesh;
+}
+
+std::vector<WarningKind> kinds_of(const std::vector<Warning>& warnings) {
+  std::vector<WarningKind> kinds;
+  for (const Warning& warning : warnings) kinds.push_back(warning.kind);
+  return kinds;
+}
+
 TetMesh rotated(TetMesh mesh, const Quaternion& rotation) {
   for (Vector3& p : mesh.vertices) p = rotate(rotation, p);
   return mesh;
@@ -292,6 +356,22 @@ TEST(Regions, TooSmallForACellAreReported) {
                          "solids too small to hold a cell: 1 of 2, the first is region 8",
                          Remedy::kRaiseResolution);
   EXPECT_EQ(std::count(warnings.begin(), warnings.end(), expected), 1);
+}
+
+TEST(Regions, OfSolidsThatTouchByOtherTrianglesAreNoKnifeEdgesNorThinWalls) {
+  for (const auto& [turn, collar] : {std::pair(0.0, 1.8), {0.5, 1.0}, {0.3, 1.8}}) {
+    SCOPED_TRACE(turn);
+    const SolveReport report = solve(plate_with_pin(turn, collar), cells_across(24)).report();
+    EXPECT_EQ(kinds_of(report.warnings), std::vector{WarningKind::kTouchingSolids});
+    EXPECT_EQ(report.creases.knife_edges, 0u);
+    EXPECT_EQ(report.walls.thin_share, 0);
+    for (const SolveReport::Finding& finding : report.input.findings) {
+      EXPECT_NE(finding.kind, FindingKind::kSelfIntersection);
+      EXPECT_NE(finding.kind, FindingKind::kOverlappingComponents);
+    }
+    for (const Answer::Reason& reason : report.answer.reasons)
+      EXPECT_NE(reason.kind, ReasonKind::kKnifeEdge) << reason.text;
+  }
 }
 
 }  // namespace
