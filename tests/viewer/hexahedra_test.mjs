@@ -23,6 +23,7 @@ test("hexahedra opens without complaint and shows the part, and says each reason
 test("hexahedra are shown first, cut, with what the report says of them", async () => {
   const { page, problems } = await shared_page("hexahedra");
   assert.equal((await state(page)).layers.hexahedra, true);
+  assert.equal(await page.locator(by_test("tab-field")).innerText(), "Mesh");
   assert.match(await page.locator(by_test("hexahedra")).innerText(), /^!\s*Partial mesh: 432 hexahedra\s+1 hexahedron is inverted; take tets with edges of 3\.6\.\s+1\s+Worst hexahedron: −1, inverted\s+2\s+Worst fit: mesh up to 0\.13 mm off the surface$/i);
   assert.match(await page.locator(by_test("badge")).textContent(), /partial mesh$/i);
   assert.match(await page.locator(by_test("shown")).innerText(), /^\d+ hexahedra shown\.$/);

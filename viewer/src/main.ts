@@ -40,6 +40,7 @@ async function open(): Promise<void> {
   show_no_cell(by_id("panel-cell"));
   if (!report) return say_instead_of_view("This page contains no field yet; `crossgrain solve` writes pages with one.");
   show_report(report);
+  if (report.hexahedra) tabs.rename("field", "Mesh");
   // The numbers are on the screen before the scene is unpacked, which goes on while the context is made.
   await new Promise((resolve) => setTimeout(resolve, 0));
   const unpacked = embedded_scene();

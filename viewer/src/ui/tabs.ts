@@ -51,9 +51,10 @@ export class Tabs {
     this.show();
   }
 
-  /** A tab may say more than its name: the cell that is picked. */
+  /** A tab may say more than its name: the cell that is picked, or that the numbers are those of a mesh. */
   rename(panel: Panel, text: string): void {
     this.tabs.get(panel)!.textContent = text;
+    by_id(`panel-${panel}`).setAttribute("aria-label", text);
   }
 
   private show(): void {
