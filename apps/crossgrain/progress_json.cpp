@@ -75,6 +75,7 @@ std::string json_line(const HexAttemptEnd& end, double seconds) {
   json["outcome"] = name_of(end.outcome);
   json["hexahedra"] = end.hexahedra;
   json["text"] = end.text;
+  json["fault"] = end.fault;
   json["next"] = end.next;
   json["over"] = end.over;
   json["attempt_seconds"] = end.seconds;

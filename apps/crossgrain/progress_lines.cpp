@@ -118,14 +118,6 @@ bool same_line(const Progress& a, const Progress& b) {
   return a.phase == b.phase;
 }
 
-/// Returns the length of what a text says before its place, "layers are folded" of "layers are folded at 1 2
-/// 3"; 0 if it has none.
-std::size_t length_of_fault(const std::string& text) {
-  const std::size_t at = text.find(" at ");
-  const bool has_place = at != text.npos && text.find_first_of("-0123456789", at + 4) == at + 4;
-  return has_place ? at : 0;
-}
-
 void write(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
@@ -209,9 +201,8 @@ void ProgressLines::end_attempt(const HexAttemptEnd& ended) {
   std::string text = ended.text;
   if (text == ended_.text)
     text = fmt::format("ends as attempt {} did", ended_.attempt);
-  else if (const std::size_t at = length_of_fault(text);
-           at > 0 && at == length_of_fault(ended_.text) && ended_.text.starts_with(text.substr(0, at)))
-    text = "the same" + text.substr(at);
+  else if (!ended.fault.empty() && ended.fault == ended_.fault)
+    text = "the same" + text.substr(ended.fault.size());
   if (!ended.next.empty()) text += "; trying " + ended.next;
   if (!ended.over.empty()) text += "; " + ended.over;
   write(fmt::format("attempt {}: {}\n", ended.attempt, text));

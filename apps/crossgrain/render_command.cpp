@@ -75,18 +75,27 @@ struct HexSubject {
   std::optional<HexReport> report;
 };
 
-void draw_hexahedra(const RenderArguments& arguments, const Monitor& monitor) {
+/// Returns a line that says what is drawn of a mesh that does not fill its model.
+std::string partial_line(const HexReport* report) {
+  if (report == nullptr || report->outcome != HexOutcome::kPartial) return "";
+  return fmt::format("hexahedra  {}\n",
+                     sentence_of(*report, words_of(report->remedy, report->remedy_number, Command::kHex)));
+}
+
+/// Returns what is to be said of them.
+std::string draw_hexahedra(const RenderArguments& arguments, const Monitor& monitor) {
   const std::filesystem::path folder = arguments.field;
   const HexSubject subject = read_one_solve(folder, [&] {
     return HexSubject{read_hexahedra(folder), report_of_result(folder).hexahedra};
   });
-  naming(arguments.field, [&] {
-    render_picture(subject.mesh, arguments.output, arguments.options,
-                   subject.report ? &*subject.report : nullptr, monitor);
-  });
+  const HexReport* const report = subject.report ? &*subject.report : nullptr;
+  naming(arguments.field,
+         [&] { render_picture(subject.mesh, arguments.output, arguments.options, report, monitor); });
+  return partial_line(report);
 }
 
-void draw(const RenderArguments& arguments, const Monitor& monitor) {
+/// Returns what is to be said of what is drawn.
+std::string draw(const RenderArguments& arguments, const Monitor& monitor) {
   const std::filesystem::path folder = arguments.field;
   const bool has_any = may_exist(folder / kHexahedraFile) || may_exist(folder / kPartialHexahedraFile);
   if (arguments.subject == Subject::kHexahedra || (arguments.subject == Subject::kHexahedraIfAny && has_any))
@@ -98,6 +107,7 @@ void draw(const RenderArguments& arguments, const Monitor& monitor) {
            [&] { render_picture(field, arguments.output, arguments.options, curves, monitor); });
   };
   std::visit(render, subject.field);
+  return "";
 }
 
 }  // namespace
@@ -110,11 +120,11 @@ void run_render(const RenderArguments& arguments) {
   const ThreadLimit limit(arguments.threads);
   const auto start = std::chrono::steady_clock::now();
   const ReadLimits limits(monitor);
-  draw(arguments, monitor);
+  const std::string said = draw(arguments, monitor);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (arguments.quiet) return;
-  print_result(fmt::format("{} x {} pixels, drawn in {:.3g} s\nresult     {}\n", arguments.options.size[0],
-                           arguments.options.size[1], seconds.count(), arguments.output));
+  print_result(fmt::format("{} x {} pixels, drawn in {:.3g} s\n{}result     {}\n", arguments.options.size[0],
+                           arguments.options.size[1], seconds.count(), said, arguments.output));
 }
 
 }  // namespace crossgrain::app

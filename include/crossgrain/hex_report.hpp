@@ -57,6 +57,7 @@ struct HexReport {
   std::string reason, detail;
   Remedy remedy = Remedy::kNone;  ///< what to try then; kNone if nothing is known to help
   double remedy_number = 0;       ///< if `has_number`
+  double remedy_hexahedra = 0;    ///< forecast of their number, where the remedy is kUseHexSize
   std::vector<Vector3> places;    ///< where: of what `detail` counts, the worst first, at most kMostPlaces
   double size = 0;                ///< of the hexahedra that were asked for
   double used_size = 0;
@@ -130,6 +131,10 @@ std::string way_of(const HexReport& report);
 /// Returns both distances in words, the larger last: "mesh up to 0.17 off the surface; surface up to 2.07
 /// from the mesh, at 3.2 0.1 4".
 std::string distances_of(const HexReport& report);
+
+/// Returns what a part of the model lacks: "9 cells left out near 19.4 9.13 7.2, 2 inverted"; empty of whole
+/// meshes.
+std::string lacking_of(const HexReport& report);
 
 /// Returns shapes in words: "scaled Jacobian 0.71 at 3.2 0.1 4, 0.93 in the mean".
 std::string shapes_of(const HexReport::Quality& quality);

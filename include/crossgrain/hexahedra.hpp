@@ -32,6 +32,7 @@ struct HexAttemptEnd {
   HexOutcome outcome = HexOutcome::kNone;
   std::size_t hexahedra = 0;
   std::string text;    ///< such as "layers of hexahedra are folded at 1 2 3, near face 4"
+  std::string fault;   ///< what the text begins with, before a place: "layers of hexahedra are folded"
   std::string next;    ///< what is tried next, such as "tets of 2.1"; empty if nothing is
   std::string over;    ///< why nothing is, unless the mesh is good
   double seconds = 0;  ///< that it took

@@ -130,16 +130,17 @@ void AttemptQueue::add_failure(const AttemptKind& kind, const Error& error, doub
   failed.failure = error.text();
   failed.seconds = seconds;
   if (error.kind() == ErrorKind::kLimit && !limit_) limit_ = error;
-  add_end(failed, error.text());
+  add_end(failed, {error.text(), ""});
 }
 
-void AttemptQueue::add_end(HexAttempt& attempt, std::string text) {
+void AttemptQueue::add_end(HexAttempt& attempt, EndWords words) {
   attempt.number = ++at_meshes_;
   HexAttemptEnd& end = ends_.emplace_back();
   end.attempt = attempt.number;
   end.outcome = attempt.outcome;
   end.hexahedra = attempt.hexahedra;
-  end.text = std::move(text);
+  end.text = std::move(words.text);
+  end.fault = std::move(words.fault);
   end.seconds = attempt.seconds;
 }
 

@@ -17,6 +17,7 @@
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "hex/hex_candidate.hpp"
+#include "hex/hex_report.hpp"
 
 namespace crossgrain {
 
@@ -135,7 +136,7 @@ class AttemptQueue {
   void make(AttemptKind& kind);
   void add(const AttemptKind& kind, HexCandidate candidate);
   void add_failure(const AttemptKind& kind, const Error& error, double seconds);
-  void add_end(HexAttempt& attempt, std::string text);
+  void add_end(HexAttempt& attempt, EndWords words);
   void tell_ends(const AttemptKind* next);
   std::string why_over() const;
   bool is_ended_by_stop();

@@ -17,7 +17,6 @@
 #include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/model_fit.hpp"
-#include "hex/untried_tets.hpp"
 #include "measure/fault_words.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
@@ -61,7 +60,8 @@ struct Explanation {
 };
 
 /// The first fault of a repaired field: of the surface before those inside. Only what is sharp can be made
-/// less so.
+/// less so: tets of a further size are one more draw, which helps too seldom to be advised
+/// (docs/notes/hexahedra.md).
 Explanation first_fault(const SolveReport::Singularity& graph, const FaceNoun& noun) {
   Explanation result;
   result.places = places_of_faults(graph);
@@ -76,13 +76,12 @@ Explanation first_fault(const SolveReport::Singularity& graph, const FaceNoun& n
       result.has_faces = has_faces;
     }
   };
-  const auto of_field = [](const auto&) { return Remedy::kUseEdgeLength; };
+  const auto of_field = [](const auto&) { return Remedy::kNone; };
   take_first(
       graph.crease_list, [](const auto&) { return Remedy::kRoundEdge; }, true);
   take_first(
       graph.corner_list,
-      [](const auto& corner) { return corner.creases.empty() ? Remedy::kUseEdgeLength : Remedy::kCutCorner; },
-      true);
+      [](const auto& corner) { return corner.creases.empty() ? Remedy::kNone : Remedy::kCutCorner; }, true);
   take_first(graph.node_list, of_field, false);
   take_first(graph.arc_list, of_field, false);
   return result;
@@ -96,7 +95,7 @@ Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
                     report.quality.inverted == 1 ? "one is" : fmt::format("{} are", report.quality.inverted)),
         fmt::format("{} inverted after smoothing",
                     counted(report.quality.inverted, "hexahedron", "hexahedra")),
-        Remedy::kUseEdgeLength, places_of_inverted(best.made->mesh)};
+        Remedy::kNone, places_of_inverted(best.made->mesh)};
   if (attempt.faults > 0) {
     const SolveReport& field = best.followed->field().report();
     Explanation fault = first_fault(field.onto->singularity, noun_of(field.faces));
@@ -108,14 +107,14 @@ Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
     return {"layers of hexahedra would have no thickness",
             fmt::format("none: {} would have no length, since both ends are on one layer of hexahedra",
                         counted(attempt.arcs_without_length, "singular arc")),
-            Remedy::kUseEdgeLength, best.followed->arcs_without_length()};
+            Remedy::kNone, best.followed->arcs_without_length()};
   const std::size_t flips = attempt.flips.value_or(0);
   if (flips > 0) {
     const bool by_rounding = attempt.is_folded_by_rounding();
     return {by_rounding ? "hexahedra of this size are folded" : "layers of hexahedra are folded",
             fmt::format("{} inverted{}", counted(flips, "tet stays", "tets stay"),
                         by_rounding ? " with whole numbers of hexahedra" : ""),
-            Remedy::kUseEdgeLength, places_of_flips(best.followed->solid(), best.following->determinants)};
+            Remedy::kNone, places_of_flips(best.followed->solid(), best.following->determinants)};
   }
   if (const std::vector<std::uint32_t>& left_out = best.following->extracted.left_out; !left_out.empty()) {
     std::vector<Vector3> places;
@@ -123,16 +122,15 @@ Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
     return {"a hexahedron would overlap others, or lack a corner",
             fmt::format("{} of the grid, covered more than once or without a corner",
                         counted(left_out.size(), "cell")),
-            Remedy::kUseEdgeLength, std::move(places)};
+            Remedy::kNone, std::move(places)};
   }
-  return {"hexahedra leave gaps, or cut off parts of the model", "", Remedy::kUseEdgeLength};
+  return {"hexahedra leave gaps, or cut off parts of the model", "", Remedy::kNone};
 }
 
-/// Suggests tets of another size, if there is one to try.
-void suggest_tets(const std::vector<HexAttempt>& attempts, HexReport& report) {
-  const std::optional<double> size = untried_tet_size(attempts);
-  report.remedy = size ? Remedy::kUseEdgeLength : Remedy::kNone;
-  report.remedy_number = size.value_or(0);
+std::vector<Vector3> shown_places(const Explanation& why) {
+  std::vector<Vector3> places = why.places;
+  if (places.size() > HexReport::kMostPlaces) places.resize(HexReport::kMostPlaces);
+  return places;
 }
 
 /// Numbers of the faces of the model within a distance of a place, of a nearest one at least.
@@ -204,45 +202,43 @@ void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport
   measure_fit(mesh, model, fit_to, report);
 }
 
-void explain_shapes(const std::vector<HexAttempt>& attempts, double least_quality, HexReport& report) {
+void explain_shapes(double least_quality, HexReport& report) {
   if (report.quality.least >= least_quality) return;
   report.reason += fmt::format("{}badly shaped (worst scaled Jacobian {:.2g} at {})",
                                report.reason.empty() ? "" : ", and ", report.quality.least,
                                words_of_place(report.quality.worst_place));
   report.places.insert(report.places.begin(), report.quality.worst_place);
-  if (report.remedy == Remedy::kNone) suggest_tets(attempts, report);
 }
 
-void explain(const HexCandidate& best, const std::vector<HexAttempt>& attempts, HexReport& report) {
+void explain(const HexCandidate& best, HexReport& report) {
   report.reason.clear();
   if (report.outcome == HexOutcome::kAllHex) return;
-  Explanation why = explanation_of(best, report);
-  report.places = std::move(why.places);
-  if (report.places.size() > HexReport::kMostPlaces) report.places.resize(HexReport::kMostPlaces);
+  const Explanation why = explanation_of(best, report);
+  report.places = shown_places(why);
   report.reason = why.reason + words_of_places(report.places, best, !why.has_faces);
   report.detail = why.detail;
   report.remedy = why.remedy;
-  if (report.remedy == Remedy::kUseEdgeLength) suggest_tets(attempts, report);
 }
 
-std::string end_of(const HexCandidate& candidate, double least_quality) {
+EndWords end_of(const HexCandidate& candidate, double least_quality) {
   HexReport report;
   report.outcome = candidate.attempt.outcome;
   if (candidate.made) report.quality = candidate.made->quality;
   if (report.outcome != HexOutcome::kAllHex) {
-    if (!candidate.followed) return "no mesh";
+    if (!candidate.followed) return {"no mesh", ""};
     const std::size_t of_part = candidate.made ? candidate.made->mesh.hexahedra.size() : 0;
     if (candidate.attempt.kind == kPartOfModel && of_part > 0)
-      return counted(of_part, "hexahedron fills", "hexahedra fill") + " a part of the model";
-    explain(candidate, {}, report);
-    return report.reason;
+      return {counted(of_part, "hexahedron fills", "hexahedra fill") + " a part of the model", ""};
+    const Explanation why = explanation_of(candidate, report);
+    const std::string where = words_of_places(shown_places(why), candidate, !why.has_faces);
+    return {why.reason + where, where.empty() ? "" : why.reason};
   }
   const std::size_t hexahedra = candidate.made->mesh.hexahedra.size();
   const std::string what = fmt::format(
       "{} the model", hexahedra == 1 ? "1 hexahedron fills" : fmt::format("{} hexahedra fill", hexahedra));
-  if (candidate.made->is_coarse) return what + ", far fewer than asked for";
-  if (report.quality.least >= least_quality) return what;
-  return what + fmt::format(", the worst with a scaled Jacobian of {:.2g}", report.quality.least);
+  if (candidate.made->is_coarse) return {what + ", far fewer than asked for", ""};
+  if (report.quality.least >= least_quality) return {what, ""};
+  return {what + fmt::format(", the worst with a scaled Jacobian of {:.2g}", report.quality.least), ""};
 }
 
 }  // namespace crossgrain

@@ -17,14 +17,20 @@ HexReport::Quality quality_of(const HexMesh& mesh);
 /// scaled Jacobians, valences. The mesh has its boundary.
 void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport& report);
 
-/// Fills in the reason why a result is not whole, the places and what to try, unless it is, from all
-/// attempts. The report has its outcome and quality.
-void explain(const HexCandidate& best, const std::vector<HexAttempt>& attempts, HexReport& report);
+/// Fills in the reason why a result is not whole, the places and what to try, unless it is. The report has
+/// its outcome and quality.
+void explain(const HexCandidate& best, HexReport& report);
 
 /// Adds to the reason if a whole result has scaled Jacobians below the least.
-void explain_shapes(const std::vector<HexAttempt>& attempts, double least_quality, HexReport& report);
+void explain_shapes(double least_quality, HexReport& report);
 
-/// Returns how an attempt ended, in a line: "no map: ...", or "1268 hexahedra fill the model".
-std::string end_of(const HexCandidate& candidate, double least_quality);
+/// HexAttemptEnd::text and fault.
+struct EndWords {
+  std::string text, fault;
+};
+
+/// Returns how an attempt ended, in a line: "layers of hexahedra are folded at 1 2 3", or "1268 hexahedra
+/// fill the model".
+EndWords end_of(const HexCandidate& candidate, double least_quality);
 
 }  // namespace crossgrain

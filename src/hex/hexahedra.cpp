@@ -46,14 +46,15 @@ void add_tags(const TetSolid& solid, const MapSurface& surface, const std::vecto
   }
 }
 
-/// One size for all that is too coarse: that for the volume, and for faces without quads where it is not much
-/// less. Half of a size makes eight times as many hexahedra.
+/// One size for all that is too coarse, with its forecast: that for the volume, and for faces without quads
+/// where it is not much less. Half of a size makes eight times as many hexahedra.
 void choose_size(const std::vector<ModelFace>& faces, const TetSolid& solid, HexReport& report) {
   constexpr double kLeastOfSize = 0.5;
   if (report.remedy != Remedy::kUseHexSize) return;
   double& size = report.remedy_number;
   if (const auto other = size_for_faces(faces, solid, report); other && *other >= kLeastOfSize * size)
     size = std::min(size, *other);
+  report.remedy_hexahedra = hexahedra_in(solid, size);
 }
 
 /// Adds what faces without quads and the fit say of hexahedra that fill the model.
@@ -121,16 +122,16 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   if (is_complete && contacts.empty()) features = features_of_model(field.domain());
   bool is_stopped = queue.is_stopped();
   if (features && is_one_region(mesh)) is_stopped |= fit(*features, queue.monitor(), mesh, report);
-  measure(mesh, followed.solid(), has_inner_boundary ? FitTo::kTets : FitTo::kGivenModel, report);
+  measure(mesh, followed.solid(), has_inner_boundary ? FitTo::kEachSolid : FitTo::kCommonSurface, report);
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
-  explain(best, queue.attempts(), report);
+  explain(best, report);
   SolveReport whole = field.report();
-  judge_solids(mesh, field.domain(), contacts, report, whole);
+  judge_solids(mesh, extracted.centre_tets, field.domain(), contacts, report, whole);
   if (report.outcome == HexOutcome::kAllHex) {
     if (features) report.features = features_kept(mesh, *features, report.used_size);
     judge_features(mesh, report);
-    explain_shapes(queue.attempts(), queue.least_quality(), report);
+    explain_shapes(queue.least_quality(), report);
   }
   mesh.is_partial = is_partial(report.outcome);
   count_quads(mesh, whole.faces);

@@ -195,12 +195,16 @@ void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexRep
   report.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   report.area = boundary_area(mesh);
   TriangleMesh triangles;
-  if (const GivenModel* const given = tets.mesh.given.get(); given && fit_to == FitTo::kGivenModel) {
+  const GivenModel* const given = tets.mesh.given.get();
+  // What is mended of a surface may have lost faces between its parts.
+  if (given && (fit_to == FitTo::kCommonSurface || given->source == ModelSource::kCad)) {
     report.model = given->source;
     report.model_volume = given->size.volume;
     report.model_area = given->size.area;
     triangles.vertices = given->surface.vertices;
     triangles.triangles = given->surface.triangles;
+    if (fit_to == FitTo::kEachSolid)
+      triangles.triangles.insert(triangles.triangles.end(), given->between.begin(), given->between.end());
   } else {
     report.model = ModelSource::kTets;
     report.model_volume = volume_of(tets.mesh);

@@ -27,11 +27,12 @@ Farthest farthest_from(const HexMesh& mesh, const std::vector<Vector3>& points);
 std::vector<Vector3> points_on(const std::vector<Vector3>& vertices,
                                const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// What hexahedra are measured by: the model that the tets were made of (TetMesh::given), if there is one, or
-/// the tets, which have the surfaces of solids that touch or overlap twice, as the hexahedra do.
-enum class FitTo { kGivenModel, kTets };
+/// What hexahedra bound: the common surface of all solids, or the surfaces of all, those between solids that
+/// touch or overlap too.
+enum class FitTo { kCommonSurface, kEachSolid };
 
-/// Fills in volumes, areas and distances.
+/// Fills in volumes, areas and distances: to the model that the tets were made of (TetMesh::given), if there
+/// is one that knows these surfaces, otherwise to the tets.
 void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexReport& report);
 
 /// Fills in ModelFace::quads of the faces that bound the model, unless the boundary has no tags.

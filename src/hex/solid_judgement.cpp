@@ -4,12 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
 #include <vector>
 
+#include "base/vector3.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/place.hpp"
 #include "measure/hex_interfaces.hpp"
 #include "solve/tet_domain_data.hpp"
+#include "surface/surface.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -27,13 +33,59 @@ void judge_contacts(const std::vector<BodyContact>& contacts, HexReport& report)
   report.remedy = warning.remedy;
 }
 
-void judge_empty_solids(const std::vector<std::int32_t>& empty, HexReport& report) {
+/// The solids without hexahedra.
+struct EmptySolids {
+  std::vector<std::int32_t> numbers;  ///< ascending; of bodies from 1
+  Vector3 place{};                    ///< in the first
+};
+
+std::vector<std::int32_t> solids_of_tets(const TetSolid& model) {
+  if (!model.mesh.regions.empty()) return model.mesh.regions;
+  std::vector<std::int32_t> bodies;
+  for (const std::uint32_t body : model.tet_components) bodies.push_back(static_cast<std::int32_t>(body) + 1);
+  return bodies;
+}
+
+/// Returns the centre of the largest tet of a solid.
+Vector3 place_in(std::int32_t number, const std::vector<std::int32_t>& solids, const TetSolid& model) {
+  Vector3 place{};
+  double largest = -1;
+  for (std::size_t t = 0; t < solids.size(); ++t) {
+    if (solids[t] != number) continue;
+    const auto& [a, b, c, d] = model.mesh.tets[t];
+    const std::vector<Vector3>& at = model.mesh.vertices;
+    const double volume = std::abs(dot(cross(at[b] - at[a], at[c] - at[a]), at[d] - at[a]));
+    if (volume <= largest) continue;
+    largest = volume;
+    place = centroid_of_tet(model.mesh, t);
+  }
+  return place;
+}
+
+EmptySolids empty_solids(const std::vector<std::uint32_t>& centre_tets, const TetSolid& model) {
+  const std::vector<std::int32_t> solids = solids_of_tets(model);
+  std::set<std::int32_t> empty(solids.begin(), solids.end());
+  for (const std::uint32_t tet : centre_tets) empty.erase(solids[tet]);
+  if (empty.empty()) return {};
+  return {{empty.begin(), empty.end()}, place_in(*empty.begin(), solids, model)};
+}
+
+/// "solid 2 has no hexahedra, around 1 2 3".
+std::string words_of(const EmptySolids& empty, const TetSolid& model) {
+  const char* const noun = model.mesh.regions.empty() ? "body" : "solid";
+  const std::string place = words_of_place(empty.place, longest_side(box_of(model.mesh.vertices)));
+  if (empty.numbers.size() == 1)
+    return fmt::format("{} {} has no hexahedra, around {}", noun, empty.numbers.front(), place);
+  return fmt::format("{} have no hexahedra, the first is {} {}, around {}",
+                     model.mesh.regions.empty() ? counted(empty.numbers.size(), "body", "bodies")
+                                                : counted(empty.numbers.size(), "solid"),
+                     noun, empty.numbers.front(), place);
+}
+
+void judge_empty_solids(const EmptySolids& empty, const TetSolid& model, HexReport& report) {
   report.outcome = HexOutcome::kPartial;
-  report.reason =
-      empty.size() == 1
-          ? fmt::format("solid {} is smaller than the hexahedra and has none", empty.front())
-          : fmt::format("{} solids are smaller than the hexahedra and have none, the first is solid {}",
-                        empty.size(), empty.front());
+  report.reason = words_of(empty, model);
+  report.places = {empty.place};
   report.remedy = Remedy::kTakeSmallerHexahedra;
 }
 
@@ -49,8 +101,8 @@ void remove_contacts(const std::vector<Warning>& of_model, std::vector<Warning>&
 
 }  // namespace
 
-void judge_solids(const HexMesh& mesh, const TetDomain& domain, const std::vector<BodyContact>& contacts,
-                  HexReport& report, SolveReport& whole) {
+void judge_solids(const HexMesh& mesh, const std::vector<std::uint32_t>& centre_tets, const TetDomain& domain,
+                  const std::vector<BodyContact>& contacts, HexReport& report, SolveReport& whole) {
   const TetSolid& model = domain.data().solid;
   const bool is_united = whole.onto->united;
   const HexInterfaces interfaces = interfaces_of(mesh, model, kOnInterface * report.used_size);
@@ -69,12 +121,13 @@ void judge_solids(const HexMesh& mesh, const TetDomain& domain, const std::vecto
   const bool is_whole = report.outcome == HexOutcome::kAllHex;
   if (!contacts.empty()) remove_contacts(domain.warnings(), whole.warnings);
   if (!contacts.empty() && !(are_in_contact && is_whole)) whole.warnings.push_back(warning_of(contacts));
-  if (!is_whole) return;
-  if (are_in_contact) {
-    judge_contacts(contacts, report);
-  } else if (!interfaces.empty_regions.empty() && !is_united) {
-    judge_empty_solids(interfaces.empty_regions, report);
-  }
+  const EmptySolids empty = is_united ? EmptySolids() : empty_solids(centre_tets, model);
+  const bool has_empty = !empty.numbers.empty();
+  if (are_in_contact && is_whole) judge_contacts(contacts, report);
+  if (has_empty && is_whole && !are_in_contact)
+    judge_empty_solids(empty, model, report);
+  else if (has_empty && !mesh.hexahedra.empty())
+    whole.warnings.emplace_back(WarningKind::kEmptySolids, words_of(empty, model));
 }
 
 }  // namespace crossgrain

@@ -10,13 +10,16 @@ namespace crossgrain {
 
 /// Judges complete hexahedra by the solids of their model (its tets, with all their contacts), in two ways.
 /// Sets HexOutcome::kPartial with reason, remedy and places where solids touch without common vertices,
-/// overlap, or have no hexahedra. Warns (WarningKind::kCrossedInterfaces) where the faces between hexahedra
-/// of two solids are off the faces between these. A model whose solids are united is asked only about those
-/// that share no vertices.
+/// overlap, or have no hexahedra; of other hexahedra warns of these (WarningKind::kEmptySolids). Warns
+/// (WarningKind::kCrossedInterfaces) where the faces between hexahedra of two solids are off the faces
+/// between these. A model whose solids are united is asked only about those that share no vertices.
+///
+/// `centre_tets` are the tets that hold the centres of the hexahedra. Solids are the regions of the tets, or
+/// bodies where they have none.
 ///
 /// `whole` is the report of the field: it gets the warnings, also that of solids that meet only in an edge or
 /// a point, and loses those of the field about solids that meet, which say otherwise the same.
-void judge_solids(const HexMesh& mesh, const TetDomain& domain, const std::vector<BodyContact>& contacts,
-                  HexReport& report, SolveReport& whole);
+void judge_solids(const HexMesh& mesh, const std::vector<std::uint32_t>& centre_tets, const TetDomain& domain,
+                  const std::vector<BodyContact>& contacts, HexReport& report, SolveReport& whole);
 
 }  // namespace crossgrain

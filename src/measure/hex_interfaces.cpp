@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 #include <utility>
 
@@ -40,10 +39,7 @@ std::vector<std::array<std::uint32_t, 4>> faces_between_regions(const HexMesh& m
 
 HexInterfaces interfaces_of(const HexMesh& mesh, const TetSolid& model, double tolerance) {
   HexInterfaces result;
-  const std::set<std::int32_t> wanted = distinct(model.mesh.regions), present = distinct(mesh.regions);
-  if (wanted.size() < 2) return result;
-  std::set_difference(wanted.begin(), wanted.end(), present.begin(), present.end(),
-                      std::back_inserter(result.empty_regions));
+  if (distinct(model.mesh.regions).size() < 2) return result;
   TriangleMesh interfaces = interfaces_of(model);
   const auto faces = faces_between_regions(mesh);
   result.faces = faces.size();

@@ -11,13 +11,12 @@
 
 namespace crossgrain {
 
-/// How hexahedra lie to the faces between regions, and to the regions.
+/// How hexahedra lie to the faces between regions.
 struct HexInterfaces {
   std::size_t faces = 0;  ///< between hexahedra of different regions
   std::size_t off = 0;    ///< of these, with a vertex farther than the tolerance from where regions meet
-  double largest_distance = 0;              ///< of their vertices from where regions of the model meet
-  Vector3 place{};                          ///< of the vertex that is farthest
-  std::vector<std::int32_t> empty_regions;  ///< without a hexahedron, ascending
+  double largest_distance = 0;  ///< of their vertices from where regions of the model meet
+  Vector3 place{};              ///< of the vertex that is farthest
 };
 
 /// Returns how hexahedra lie to the regions of a model; nothing of a model with fewer than two.

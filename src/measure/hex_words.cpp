@@ -69,19 +69,11 @@ std::string sizes_of(const HexReport& report) {
                      is_smaller ? "" : " in the mean", expected, report.size, reason);
 }
 
-/// Returns about how many hexahedra of a smaller size are expected: the volume in cubes, and what walls
-/// thinner than a hexahedron added to the forecast before the work, which falls with the area of a
-/// hexahedron.
-double expected_at(const HexReport& report, double size) {
-  const double of_walls = report.expected - report.model_volume / std::pow(report.size, 3);
-  return report.model_volume / std::pow(size, 3) + std::max(0.0, of_walls) * std::pow(report.size / size, 2);
-}
-
 /// Adds to the size that is to be tried about how many hexahedra it makes.
 std::string with_count(const HexReport& report, const std::string& remedy_words) {
-  if (report.remedy != Remedy::kUseHexSize || remedy_words.empty() || report.model_volume <= 0)
+  if (report.remedy != Remedy::kUseHexSize || remedy_words.empty() || report.remedy_hexahedra <= 0)
     return remedy_words;
-  return fmt::format("{} ({})", remedy_words, about(expected_at(report, report.remedy_number)));
+  return fmt::format("{} ({})", remedy_words, about(report.remedy_hexahedra));
 }
 
 /// Returns what to do, or that nothing is known, where that is what a reader looks for.
@@ -94,15 +86,6 @@ std::string remedy_of(const HexReport& report, const std::string& remedy_words) 
   if (!has_made_tets) return "tets of another size may help";
   return std::string("no option is known to help; change the model") +
          (report.places.empty() ? "" : " there");
-}
-
-/// Returns what a part of the model lacks: ", 1 cell left out near 1 2 3".
-std::string lacking(const HexReport& report) {
-  std::string text;
-  if (report.left_out > 0)
-    text += fmt::format(", {} left out near {}", counted(report.left_out, "cell"),
-                        words_of_place(report.left_out_place, std::cbrt(report.model_volume)));
-  return report.quality.inverted == 0 ? text : text + fmt::format(", {} inverted", report.quality.inverted);
 }
 
 /// Says so of shapes that are too poor to compute on, where none is inverted.
@@ -140,6 +123,16 @@ std::string distances_of(const HexReport& report) {
                      words_of_place(place, std::cbrt(report.model_volume)));
 }
 
+std::string lacking_of(const HexReport& report) {
+  if (report.outcome != HexOutcome::kPartial) return "";
+  std::vector<std::string> parts;
+  if (report.left_out > 0)
+    parts.push_back(fmt::format("{} left out near {}", counted(report.left_out, "cell"),
+                                words_of_place(report.left_out_place, std::cbrt(report.model_volume))));
+  if (report.quality.inverted > 0) parts.push_back(fmt::format("{} inverted", report.quality.inverted));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::string way_of(const HexReport& report) {
   if (report.attempts.empty()) return "";
   const HexAttempt& best = report.attempts[report.best_attempt];
@@ -170,7 +163,7 @@ std::string sentence_of(const HexReport& report, const std::string& remedy_words
   std::string sizes;
   if (report.hexahedra > 0) sizes = sizes_of(report);
   if (report.bodies > 1) sizes += fmt::format(" in {}", counted(report.bodies, "body", "bodies"));
-  if (report.outcome == HexOutcome::kPartial) sizes += lacking(report);
+  if (const std::string lacking = lacking_of(report); !lacking.empty()) sizes += ", " + lacking;
   const std::string remedy = remedy_of(report, remedy_words);
   if (report.outcome == HexOutcome::kAllHex && !report.reason.empty())
     return text + ", but " + report.reason + (remedy.empty() ? "" : ": " + remedy) + "; " + sizes;

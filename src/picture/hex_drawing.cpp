@@ -148,6 +148,7 @@ LegendBlock outcome_block(std::size_t hexahedra, const HexReport* report) {
   if (report == nullptr) return {hexahedra_text(hexahedra)};
   LegendBlock block{fmt::format("{}: {}", title_of(report->outcome), hexahedra_text(hexahedra))};
   if (!report->reason.empty()) block.notes.push_back(report->reason);
+  if (const std::string lacking = lacking_of(*report); !lacking.empty()) block.notes.push_back(lacking);
   return block;
 }
 

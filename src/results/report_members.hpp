@@ -172,6 +172,7 @@ void describe(File& file, Report& hexahedra) {
   file.text("detail", hexahedra.detail);
   file.optional_name("remedy", hexahedra.remedy);
   if (has_number(hexahedra.remedy)) file.member("remedy_number", hexahedra.remedy_number);
+  if (hexahedra.remedy == Remedy::kUseHexSize) file.member("remedy_hexahedra", hexahedra.remedy_hexahedra);
   file.note("next", words_of(hexahedra.remedy, hexahedra.remedy_number).c_str());
   CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, expected, hexahedra, vertices, bodies, is_coarse,
                      left_out, left_out_place, crowded_faces, open_edges, pinched_vertices, model, volume,

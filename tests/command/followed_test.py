@@ -23,7 +23,7 @@ ELSEWHERE = {
 
 # Remedies that none follows, and why.
 NOT_FOLLOWED = {
-    "kUseEdgeLength": "a search takes minutes; bench/hex_remedies.py follows it on parts",
+    "kUseEdgeLength": "of fields on tets that leave something undecided, where finer tets may too",
     "kTakeSmallerHexahedra": "a search takes minutes, of a solid that is smaller than the hexahedra",
     "kNameOutput": "the command line refuses such names before",
     **dict.fromkeys(["kFreeSpace", "kCheckOutputDisk", "kMoveCheckpoint"], "disks that are full or broken"),

@@ -251,6 +251,7 @@ TEST(AttemptQueue, TellsHowEachAttemptEndedAndWhatIsTriedNext) {
   queue.run();
   ASSERT_EQ(ends.size(), 3u);
   EXPECT_EQ(ends[0].text, "no mesh");
+  EXPECT_EQ(ends[0].fault, "") << "nothing is known of it";
   EXPECT_EQ(ends[0].next, "a 2");
   EXPECT_EQ(ends[1].text, "no memory for this one");
   EXPECT_EQ(ends[1].next, "a 3");

@@ -45,11 +45,11 @@ TetSolid box_of(std::optional<GivenModel> given = {}) {
   return tets_of(std::move(mesh));
 }
 
-HexReport fit_of(const HexMesh& mesh, const TetSolid& tets) {
+HexReport fit_of(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to = FitTo::kCommonSurface) {
   HexReport report;
   report.hexahedra = mesh.hexahedra.size();
   report.used_size = 2;
-  measure_fit(mesh, tets, FitTo::kGivenModel, report);
+  measure_fit(mesh, tets, fit_to, report);
   return report;
 }
 
@@ -65,6 +65,38 @@ TEST(ModelFit, OfTetsThatWereReadIsToldBesideThese) {
   EXPECT_LT(report.largest_distance, 1e-12);
   EXPECT_LT(report.largest_distance_of_model, 1e-12);
   EXPECT_FALSE(poor_fit(report));
+}
+
+TEST(ModelFit, OfSolidsMeshedApartIsToldBesideTheSurfacesOfEachOfThem) {
+  const TetSolid bare = box_of();
+  const Box box = box_of_solid_triangles({bare.mesh.vertices, bare.boundary});
+  const TriangleMesh outer = make_box({4, 3, 2});
+  GivenModel given{ModelSource::kCad, {}, {24, 64}, outer};
+  for (Vector3& vertex : given.surface.vertices) vertex += box.low - box_of_solid_triangles(outer).low;
+  // A wall across the middle, which the two solids share; hexahedra have it twice.
+  const auto first = static_cast<std::uint32_t>(given.surface.vertices.size());
+  for (const auto& [y, z] : {std::pair(0.0, 0.0), {3.0, 0.0}, {3.0, 2.0}, {0.0, 2.0}})
+    given.surface.vertices.push_back(box.low + Vector3{2, y, z});
+  given.between = {{first, first + 1, first + 2}, {first, first + 2, first + 3}};
+  HexMesh mesh = brick({2, 3, 2});
+  const HexMesh half = mesh;
+  for (Vector3 vertex : half.vertices) mesh.vertices.push_back(vertex + Vector3{2, 0, 0});
+  mesh.hexahedra.push_back({8, 9, 10, 11, 12, 13, 14, 15});
+  for (HexMesh::Face face : half.boundary) {
+    for (std::uint32_t& v : face.vertices) v += 8;
+    mesh.boundary.push_back(face);
+  }
+  for (Vector3& vertex : mesh.vertices) vertex += box.low;
+  // A vertex of both bodies inside the wall, so that it is off the common surface.
+  const Vector3 inside = box.low + Vector3{2, 1, 1};
+  mesh.vertices[2] = mesh.vertices[11] = inside;
+  const TetSolid tets = box_of(given);
+  EXPECT_LT(fit_of(mesh, tets, FitTo::kEachSolid).largest_distance, 1e-12);
+  EXPECT_NEAR(fit_of(mesh, tets).largest_distance, 1, 1e-12) << "the wall is no part of the common surface";
+  EXPECT_EQ(fit_of(mesh, tets, FitTo::kEachSolid).model, ModelSource::kCad);
+  EXPECT_EQ(fit_of(mesh, tets, FitTo::kEachSolid).model_volume, 24);
+  given.source = ModelSource::kSurface;
+  EXPECT_EQ(fit_of(mesh, box_of(given), FitTo::kEachSolid).model, ModelSource::kTets);
 }
 
 TEST(ModelFit, OfAGivenModelIsToldBesideThatWithItsPlaces) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "crossgrain/hexahedra.hpp"
 #include "crossgrain/solve.hpp"
@@ -83,7 +84,10 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
   HexReport report = made.report();
   SolveReport whole = made.field.report();
   whole.onto->united = false;
-  judge_solids(made.mesh, TetDomain(two_regions(0.4)), {}, report, whole);
+  const TetMesh tets = two_regions(0.4);
+  std::vector<std::uint32_t> all(tets.tets.size());
+  std::iota(all.begin(), all.end(), 0u);
+  judge_solids(made.mesh, all, TetDomain(tets), {}, report, whole);
   const std::vector<Warning>& warnings = whole.warnings;
   ASSERT_TRUE(warns_of_interfaces(warnings));
   EXPECT_NE(
@@ -93,11 +97,33 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
   EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
 }
 
+TEST(SolidJudgement, NamesBodiesWithoutHexahedraWhereTetsHaveNoRegions) {
+  const Hexahedra made = made_of(box({3, 3, 2}));
+  TetMesh tets = together({box({3, 3, 2}), moved(box({1, 1, 1}), {5, 0, 0})});
+  const std::size_t of_first = TetMesh(box({3, 3, 2})).tets.size();
+  tets.regions.clear();
+  std::vector<std::uint32_t> centres(of_first);
+  std::iota(centres.begin(), centres.end(), 0u);
+  HexReport report = made.report();
+  report.outcome = HexOutcome::kPartial;
+  SolveReport whole = made.field.report();
+  judge_solids(made.mesh, centres, TetDomain(tets), {}, report, whole);
+  ASSERT_FALSE(whole.warnings.empty());
+  EXPECT_EQ(whole.warnings.back().kind, WarningKind::kEmptySolids);
+  EXPECT_EQ(whole.warnings.back().text.find("body 2 has no hexahedra, around 5."), 0u)
+      << whole.warnings.back().text;
+  report.outcome = HexOutcome::kAllHex;
+  judge_solids(made.mesh, centres, TetDomain(tets), {}, report, whole);
+  EXPECT_EQ(report.outcome, HexOutcome::kPartial);
+}
+
 TEST(SolidJudgement, OfASolidWithoutHexahedraIsFlawed) {
   const auto region_of = [](const Vector3& p) { return p[0] < 1 && p[1] < 1 && p[2] < 1 ? 2 : 1; };
   const HexReport report = made_of(with_regions(box({6, 6, 6}), region_of), 3).report();
   EXPECT_EQ(report.outcome, HexOutcome::kPartial);
-  EXPECT_EQ(report.reason, "solid 2 is smaller than the hexahedra and has none");
+  EXPECT_EQ(report.reason.find("solid 2 has no hexahedra, around 0."), 0u) << report.reason;
+  ASSERT_EQ(report.places.size(), 1u);
+  for (const double x : report.places[0]) EXPECT_LT(x, 1);
   EXPECT_EQ(report.remedy, Remedy::kTakeSmallerHexahedra);
   EXPECT_EQ(made_of(with_regions(box({6, 6, 6}), region_of), 1).report().outcome, HexOutcome::kAllHex);
 }

@@ -97,23 +97,13 @@ TEST(SentenceOfHexahedra, TellsWhatIsWrongWithAnApproximateMeshAndWhatHelps) {
   report.reason = "its volume is 22 % below the model's";
   report.remedy = Remedy::kUseHexSize;
   report.remedy_number = 0.15;
+  report.remedy_hexahedra = 2.4e6;
   EXPECT_EQ(
       sentence_of(report, "try --size 0.15"),
       "approximate: 1000 of 2; its volume is 22 % below the model's; try --size 0.15 (about 2.4 million)");
   EXPECT_EQ(sentence_of(report),
             "approximate: 1000 of 2; its volume is 22 % below the model's; use hexahedra of 0.15 (about 2.4 "
             "million)");
-}
-
-TEST(SentenceOfHexahedra, CountsAtTheSizeThatHelpsWhatWallsAddToTheForecast) {
-  HexReport report = whole();
-  report.outcome = HexOutcome::kApproximate;
-  report.reason = "its volume is 22 % below the model's";
-  report.remedy = Remedy::kUseHexSize;
-  report.remedy_number = 1;
-  report.expected = 1500;
-  EXPECT_EQ(sentence_of(report, "try --size 1"),
-            "approximate: 1000 of 2; its volume is 22 % below the model's; try --size 1 (about 10000)");
 }
 
 TEST(SentenceOfHexahedra, TellsFirstThatTheSearchWasStopped) {

@@ -183,6 +183,11 @@ TEST_F(HexPicture, SaysInItsLegendWhatTheMeshIsAndHowGood) {
   report.reason = "no map: 2 tets stay inverted";
   EXPECT_EQ(legend(mesh, &report).substr(0, 60),
             "Partial mesh: 120 hexahedra\n  no map: 2 tets stay inverted\nS");
+  report.left_out = 9;
+  report.left_out_place = {19.4, 9.13, 7.2};
+  report.model_volume = 1000;
+  EXPECT_NE(legend(mesh, &report).find("tets stay inverted\n  9 cells left out near 19.4 9.13 7.2\nS"),
+            std::string::npos);
   EXPECT_NE(legend(inverted_bricks()).find("\n  inverted (1)\n"), std::string::npos);
 }
 
