@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { by_night, check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, open, picture, scene_named, shared_page, state } from "./browser.mjs";
+import { by_night, check_opening, check_said_once, difference, keep_screenshot, kDesktop, kPhone, of_the_day, open, picture, scene_named, shared_page, state } from "./browser.mjs";
 
 const by_test = (name) => `[data-testid="${name}"]`;
 
@@ -76,8 +76,8 @@ test("a click on a face of a field names the face", async () => {
 });
 
 test("the part fills what is free of the view at first, and when another cut is chosen", async () => {
-  for (const [name, device] of [["ball", kDesktop], ["plate", kPhone], ["tets", kPhone], ["components", kDesktop]]) {
-    const { page } = await shared_page(name, { device });
+  for (const name of of_the_day(["ball", "plate", "tets", "components"], "ball", "tets")) {
+    const { page } = await shared_page(name, { device: ["plate", "tets"].includes(name) ? kPhone : kDesktop });
     const share = () => page.evaluate(async () => {
       await window.crossgrain.change({ layers: { glyphs: false, arcs: false, nodes: false } });
       const view = document.getElementById("view");
