@@ -89,6 +89,7 @@ TEST(LinesOfAttempts, DoNotRepeatAFaultThatIsAtAnotherPlace) {
     const std::string fault = "layers of hexahedra are folded";
     for (const char* place : {" at 1 2 3", " at -1 2 3", " at -1 2 3"}) {
       ++end.attempt;
+      end.fault = fault;
       end.text = fault + place;
       lines.end_attempt(end);
     }
