@@ -15,8 +15,8 @@ struct HexFittingOptions {
   int slide_rounds = 6;  ///< with vertices pulled to the nearest places of them
   int steps = 25;        ///< of descent in a round
 
-  int relaxations = 20;  ///< sweeps over single vertices, between which they are put onto their carriers
-  int lifts = 30;        ///< sweeps over the vertices of the worst hexahedra
+  int relaxations = 12;  ///< sweeps over single vertices, between which they are put onto their carriers
+  int lifts = 20;        ///< sweeps over the vertices of the worst hexahedra
 
   /// The least scaled Jacobian for which a vertex goes all the way to its carrier.
   double floor = 0.05;
