@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
@@ -15,9 +16,6 @@ namespace crossgrain {
 namespace {
 
 using Index = Eigen::Index;
-
-/// About the second derivative of the energy of eight cubes by the vertex between them, in squared sizes.
-constexpr double kCubeStiffness = 40;
 
 }  // namespace
 
@@ -37,11 +35,12 @@ std::vector<double> wanted_sizes(const HexMesh& mesh, double size) {
 }
 
 FittingEnergy::FittingEnergy(const HexMesh& mesh, const FittingPulls& pulls, double size,
-                             const CornerEnergyOptions& options)
+                             const CornerEnergyOptions& options, std::vector<std::uint8_t> kept)
     : mesh_(mesh),
       pulls_(pulls),
       size_(size),
       options_(options),
+      kept_(std::move(kept)),
       sizes_(wanted_sizes(mesh, size)),
       shapes_(mesh.vertices.size(), mesh.hexahedra, sizes_),
       uses_(corner_uses(mesh.vertices.size(), mesh.hexahedra)),
@@ -56,13 +55,13 @@ FittingEnergy::FittingEnergy(const HexMesh& mesh, const FittingPulls& pulls, dou
 
 SymmetricMatrix3 FittingEnergy::block_of(std::uint32_t vertex) const {
   SecondOrder sum;
-  bool is_convex = options_.epsilon == 0;
-  for (const std::uint32_t use : uses_[vertex])
-    is_convex =
-        is_convex && add_energy_at(corners_of(mesh_, use / 8), use % 8, 1 / sizes_[use / 8], options_, sum);
-  if (!is_convex) {
-    sum = {};
-    for (const std::size_t diagonal : {0, 3, 5}) sum.hessian[diagonal] = kCubeStiffness / (size_ * size_);
+  for (const std::uint32_t use : uses_[vertex]) {
+    const HexCorners corners = corners_of(mesh_, use / 8);
+    const double scale = 1 / sizes_[use / 8];
+    if (kept_[use / 8])
+      add_energy_at(corners, use % 8, scale, options_, sum);
+    else
+      add_stiffness_at(corners, use % 8, scale, options_, sum.hessian);
   }
   for (std::size_t k = 0; k < 6; ++k) sum.hessian[k] += 2 * pulls_.of_vertex[vertex].weight[k];
   for (const std::uint32_t use : pulled_by_[vertex]) {
@@ -104,23 +103,23 @@ std::vector<Vector3> FittingEnergy::places(const Eigen::VectorXd& displacements)
   return places;
 }
 
-bool FittingEnergy::are_valid(const std::vector<Vector3>& places) const {
-  std::atomic<bool> are_valid = true;
+bool FittingEnergy::are_kept(const std::vector<Vector3>& places) const {
+  std::atomic<bool> are_kept = true;
   parallel_for(mesh_.hexahedra.size(), [&](std::size_t h) {
-    if (!are_valid.load(std::memory_order_relaxed)) return;
+    if (!kept_[h] || !are_kept.load(std::memory_order_relaxed)) return;
     HexCorners corners;
     for (std::size_t k = 0; k < 8; ++k) corners[k] = places[mesh_.hexahedra[h][k]];
-    if (!is_valid(corners)) are_valid.store(false, std::memory_order_relaxed);
+    if (!is_valid(corners)) are_kept.store(false, std::memory_order_relaxed);
   });
-  return are_valid;
+  return are_kept;
 }
 
 double FittingEnergy::operator()(const Eigen::VectorXd& displacements, Eigen::VectorXd& gradient) {
   const std::vector<Vector3> at = places(displacements);
   std::vector<Vector3> of_shapes;
-  double sum = shapes_(at, options_, of_shapes);
+  double sum = shapes_(at, options_, of_shapes, kept_);
   gradient.setZero(displacements.size());
-  if (!std::isfinite(sum) || (options_.epsilon == 0 && !are_valid(at))) return INFINITY;
+  if (!std::isfinite(sum) || !are_kept(at)) return INFINITY;
   std::vector<double> differences(pulls_.of_quads.size());
   parallel_for(differences.size(),
                [&](std::size_t q) { differences[q] = pulls_.of_quads[q].difference(at); });

@@ -24,13 +24,14 @@ struct FittingPulls {
 /// layers keep their thickness and no hexahedron vanishes.
 std::vector<double> wanted_sizes(const HexMesh& mesh, double size);
 
-/// The energy of shapes and pulls by displacements in sizes, three unknowns for each vertex. With a barrier
-/// it is infinite for meshes with an invalid hexahedron (is_valid).
+/// The energy of shapes and pulls by displacements in sizes, three unknowns for each vertex. It is infinite
+/// for meshes in which one of the `kept` hexahedra is invalid (is_valid).
 class FittingEnergy {
  public:
-  /// The mesh and the pulls must outlive it and not change.
+  /// The mesh and the pulls must outlive it and not change. `kept`: 1 for hexahedra that are valid and shall
+  /// stay so; the determinants of others are regularised by the options' epsilon.
   FittingEnergy(const HexMesh& mesh, const FittingPulls& pulls, double size,
-                const CornerEnergyOptions& options);
+                const CornerEnergyOptions& options, std::vector<std::uint8_t> kept);
 
   double operator()(const Eigen::VectorXd& displacements, Eigen::VectorXd& gradient);
 
@@ -40,7 +41,7 @@ class FittingEnergy {
   std::vector<Vector3> places(const Eigen::VectorXd& displacements) const;
 
  private:
-  bool are_valid(const std::vector<Vector3>& places) const;
+  bool are_kept(const std::vector<Vector3>& places) const;
   void invert_blocks();
   SymmetricMatrix3 block_of(std::uint32_t vertex) const;
 
@@ -48,6 +49,7 @@ class FittingEnergy {
   const FittingPulls& pulls_;
   double size_;
   CornerEnergyOptions options_;
+  std::vector<std::uint8_t> kept_;
   std::vector<double> sizes_;
   ShapeEnergy shapes_;
   Lists<std::uint32_t> uses_;       ///< of vertices by hexahedra

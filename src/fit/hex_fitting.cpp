@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -76,7 +77,7 @@ class HexFitting {
  private:
   void pull_to_places(double weight);
   void pull_to_nearest(double weight);
-  void round(double epsilon);
+  void round(int number);
   void move_single_vertices();
   void update_quad_pulls();
   void update_trust();
@@ -151,20 +152,30 @@ void HexFitting::pull_to_nearest(double weight) {
 
 void HexFitting::update_quad_pulls() {
   pulls_.of_quads = quad_pulls(samples_, mesh_, carriers_, size_);
-  for (QuadPull& pull : pulls_.of_quads)
-    for (const std::uint32_t v : pull.vertices) pull.weight = std::min(pull.weight, trust_[v] * pull.weight);
+  for (QuadPull& pull : pulls_.of_quads) {
+    const auto& [a, b, c] = pull.vertices;
+    pull.weight *= std::min({trust_[a], trust_[b], trust_[c]});
+  }
   pulls_.quad_weight = kQuadWeight / (size_ * size_);
 }
 
 double HexFitting::epsilon() const {
-  if (count_invalid() == 0) return 0;
-  constexpr double kLeastEpsilon = 1e-3;
+  constexpr double kLeastEpsilon = 1e-3, kMostEpsilon = 0.5, kShare = 0.2;
   const ShapeEnergy shapes(mesh_.vertices.size(), mesh_.hexahedra, wanted_sizes(mesh_, size_));
-  return std::max(kLeastEpsilon, std::min(0.5, -0.2 * shapes.least_determinant(mesh_.vertices)));
+  return std::clamp(-kShare * shapes.least_determinant(mesh_.vertices), kLeastEpsilon, kMostEpsilon);
 }
 
-void HexFitting::round(double epsilon) {
-  FittingEnergy energy(mesh_, pulls_, size_, {.volume_weight = kFitVolumeWeight, .epsilon = epsilon});
+/// At first a tangle may spread into valid hexahedra, through which it unfolds; if it has not then, they are
+/// kept.
+void HexFitting::round(int number) {
+  constexpr int kRoundsOfUnfolding = 3;
+  std::vector<std::uint8_t> kept = inverted_hexahedra(mesh_);
+  for (std::uint8_t& flag : kept) flag = !flag;
+  const bool is_valid = std::ranges::count(kept, 0) == 0;
+  if (!is_valid && number < kRoundsOfUnfolding) std::ranges::fill(kept, 0);
+  FittingEnergy energy(mesh_, pulls_, size_,
+                       {.volume_weight = kFitVolumeWeight, .epsilon = is_valid ? 0 : epsilon()},
+                       std::move(kept));
   const Descent descent =
       minimised([&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) { return energy(x, gradient); },
                 [&](const Eigen::VectorXd& gradient) { return energy.preconditioned(gradient); },
@@ -199,22 +210,18 @@ HexFittingResult HexFitting::run() {
   for (int k = 0; k < options_.point_rounds; ++k, weight *= kRise) {
     tell_part(0, k, options_.point_rounds);
     pull_to_places(weight);
-    round(epsilon());
+    round(k);
   }
   weight = kFirstSlideWeight;
   for (int k = 0; k < options_.slide_rounds; ++k, weight *= kRise) {
     tell_part(1, k, options_.slide_rounds);
-    const double unfolding = epsilon();
-    if (unfolding == 0) update_trust();
+    update_trust();
     pull_to_nearest(weight);
     update_quad_pulls();
-    round(unfolding);
+    round(options_.point_rounds + k);
   }
-  HexFittingResult result;
-  result.invalid = count_invalid();
-  if (result.invalid == 0) move_single_vertices();
-  result.off = count_off();
-  return result;
+  move_single_vertices();
+  return {count_invalid(), count_off()};
 }
 
 std::size_t HexFitting::count_off() const {

@@ -72,6 +72,25 @@ const std::array<std::array<CornerUse, 4>, 8>& all_corner_uses() {
   return uses;
 }
 
+/// D and F of a corner that a vertex is part of, and their derivatives by it.
+struct CornerPart {
+  double determinant, squares;
+  VertexPart of_vertex;
+
+  CornerPart(const std::array<Vector3, 8>& corners, const CornerUse& use, double scale) {
+    const std::array<Vector3, 3> edges = scaled_edges(corners, use.corner, scale);
+    const auto& [a, b, c] = edges;
+    const std::array<Vector3, 3> cofactors{cross(b, c), cross(c, a), cross(a, b)};
+    determinant = dot(cofactors[2], c);
+    squares = dot(a, a) + dot(b, b) + dot(c, c);
+    const double square = scale * scale;
+    of_vertex = use.edge == 3
+                    ? VertexPart{(-2 * scale) * (a + b + c),
+                                 -scale * (cofactors[0] + cofactors[1] + cofactors[2]), 6 * square}
+                    : VertexPart{(2 * scale) * edges[use.edge], scale * cofactors[use.edge], 2 * square};
+  }
+};
+
 void add_second_order(const PlainEnergy& energy, const VertexPart& part, double cube, int power,
                       SecondOrder& sum) {
   const double share = energy.value / cube;
@@ -150,8 +169,12 @@ ShapeEnergy::Term ShapeEnergy::term(const std::vector<Vector3>& places, std::siz
 }
 
 double ShapeEnergy::operator()(const std::vector<Vector3>& places, const CornerEnergyOptions& options,
-                               std::vector<Vector3>& gradient) {
-  parallel_for(terms_.size(), [&](std::size_t h) { terms_[h] = term(places, h, options); });
+                               std::vector<Vector3>& gradient, std::span<const std::uint8_t> kept) {
+  CornerEnergyOptions barrier = options;
+  barrier.epsilon = 0;
+  parallel_for(terms_.size(), [&](std::size_t h) {
+    terms_[h] = term(places, h, !kept.empty() && kept[h] ? barrier : options);
+  });
   double sum = 0;
   for (const Term& term : terms_) sum += term.value;
   gradient.resize(places.size());
@@ -178,20 +201,26 @@ bool add_energy_at(const std::array<Vector3, 8>& corners, std::size_t corner, do
                    const CornerEnergyOptions& options, SecondOrder& sum) {
   const double cube = 3 + 2 * options.volume_weight;
   for (const CornerUse& use : all_corner_uses()[corner]) {
-    const std::array<Vector3, 3> edges = scaled_edges(corners, use.corner, scale);
-    const auto& [a, b, c] = edges;
-    const std::array<Vector3, 3> cofactors{cross(b, c), cross(c, a), cross(a, b)};
-    const double determinant = dot(cofactors[2], c);
-    if (!(determinant > 0)) return false;
-    const PlainEnergy energy(dot(a, a) + dot(b, b) + dot(c, c), determinant, options.volume_weight);
-    const VertexPart part =
-        use.edge == 3
-            ? VertexPart{(-2 * scale) * (a + b + c), -scale * (cofactors[0] + cofactors[1] + cofactors[2]),
-                         6 * scale * scale}
-            : VertexPart{(2 * scale) * edges[use.edge], scale * cofactors[use.edge], 2 * scale * scale};
-    add_second_order(energy, part, cube, options.power, sum);
+    const CornerPart part(corners, use, scale);
+    if (!(part.determinant > 0)) return false;
+    const PlainEnergy energy(part.squares, part.determinant, options.volume_weight);
+    add_second_order(energy, part.of_vertex, cube, options.power, sum);
   }
   return true;
+}
+
+void add_stiffness_at(const std::array<Vector3, 8>& corners, std::size_t corner, double scale,
+                      const CornerEnergyOptions& options, SymmetricMatrix3& sum) {
+  const double cube = 3 + 2 * options.volume_weight;
+  SecondOrder all;
+  for (const CornerUse& use : all_corner_uses()[corner]) {
+    CornerPart part(corners, use, scale);
+    const auto [chi, slope] = regularised(part.determinant, options.epsilon);
+    part.of_vertex.of_d = slope * part.of_vertex.of_d;
+    add_second_order(PlainEnergy(part.squares, chi, options.volume_weight), part.of_vertex, cube,
+                     options.power, all);
+  }
+  for (std::size_t k = 0; k < 6; ++k) sum[k] += all.hessian[k];
 }
 
 double energy_at(const std::array<Vector3, 8>& corners, std::size_t corner, double scale,

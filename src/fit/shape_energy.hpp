@@ -49,9 +49,9 @@ class ShapeEnergy {
   ShapeEnergy(std::size_t vertices, std::span<const std::array<std::uint32_t, 8>> hexahedra,
               std::vector<double> sizes);
 
-  /// Fills in the gradient by the places of vertices.
+  /// Fills in the gradient by the places of vertices. For hexahedra marked in `kept`, epsilon is 0.
   double operator()(const std::vector<Vector3>& places, const CornerEnergyOptions& options,
-                    std::vector<Vector3>& gradient);
+                    std::vector<Vector3>& gradient, std::span<const std::uint8_t> kept = {});
 
   /// The least determinant of all corners, in cubed sizes; infinite without hexahedra.
   double least_determinant(const std::vector<Vector3>& places) const;
@@ -85,6 +85,11 @@ struct SecondOrder {
 /// `sum` unfinished, unless all four determinants are positive.
 bool add_energy_at(const std::array<Vector3, 8>& corners, std::size_t corner, double scale,
                    const CornerEnergyOptions& options, SecondOrder& sum);
+
+/// Adds about the second derivative of the same with `regularised` determinants, for chi as if it were
+/// affine: positive definite.
+void add_stiffness_at(const std::array<Vector3, 8>& corners, std::size_t corner, double scale,
+                      const CornerEnergyOptions& options, SymmetricMatrix3& sum);
 
 /// The value alone; infinite unless all four determinants are positive.
 double energy_at(const std::array<Vector3, 8>& corners, std::size_t corner, double scale,

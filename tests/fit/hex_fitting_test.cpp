@@ -133,6 +133,23 @@ TEST(HexFitting, UntanglesAnInvertedMesh) {
   EXPECT_GT(worst_of(shape.mesh), 0.99);
 }
 
+TEST(HexFitting, FitsTheRestWhereAnEdgeOfTwoHexahedraCannotBeValid) {
+  FittedShape shape = lattice_in_box({4, 4, 4});
+  // Two hexahedra in place of one, with two faces in common.
+  const std::array<std::uint32_t, 8> cut = shape.mesh.hexahedra[21];
+  const auto middle = static_cast<std::uint32_t>(shape.mesh.vertices.size());
+  shape.mesh.vertices.push_back(0.5 * (shape.mesh.vertices[cut[0]] + shape.mesh.vertices[cut[2]]));
+  shape.mesh.vertices.push_back(0.5 * (shape.mesh.vertices[cut[4]] + shape.mesh.vertices[cut[6]]));
+  shape.carriers.of_vertex.resize(shape.mesh.vertices.size());
+  shape.mesh.hexahedra[21] = {cut[0], cut[1], cut[2], middle, cut[4], cut[5], cut[6], middle + 1};
+  shape.mesh.hexahedra.push_back({cut[0], middle, cut[2], cut[3], cut[4], middle + 1, cut[6], cut[7]});
+  disturb(shape.mesh, 0.1, 2);
+  const HexFittingResult result = fit_onto(shape.mesh, shape.complex, shape.carriers, 1);
+  EXPECT_GE(result.invalid, 1u);
+  EXPECT_LE(result.invalid, 2u);
+  EXPECT_EQ(result.off, 0u);
+}
+
 TEST(HexFitting, KeepsToASurfaceWithoutFeatures) {
   FittedShape shape;
   shape.complex = feature_complex(prepare_surface(make_sphere(2, 4)));

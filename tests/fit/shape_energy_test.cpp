@@ -116,6 +116,27 @@ TEST(ShapeEnergy, OfOneVertexIsConvex) {
   EXPECT_GT(valid, 100u);
 }
 
+TEST(ShapeEnergy, KeepsMarkedHexahedraWhateverTheEpsilon) {
+  Stack stack(0, 1);
+  stack.places[8][2] = stack.places[9][2] = stack.places[10][2] = stack.places[11][2] = 0.5;
+  const auto energy = [&](const std::vector<std::uint8_t>& kept) {
+    std::vector<Vector3> gradient;
+    return ShapeEnergy(12, stack.hexahedra, {1, 1})(stack.places, {.volume_weight = 0.2, .epsilon = 0.1},
+                                                    gradient, kept);
+  };
+  EXPECT_LT(energy({1, 0}), INFINITY);
+  EXPECT_EQ(energy({0, 1}), INFINITY);
+}
+
+TEST(ShapeEnergy, HasAPositiveStiffnessWhereItIsInverted) {
+  std::mt19937 random(6);
+  for (int trial = 0; trial < 500; ++trial) {
+    SymmetricMatrix3 stiffness{};
+    add_stiffness_at(disturbed_cube(1, random), 0, 1, {.volume_weight = 0.2, .epsilon = 0.1}, stiffness);
+    EXPECT_GT(eigensystem(stiffness).values[0], 0);
+  }
+}
+
 TEST(ShapeEnergy, HasTheSameBitsForAnyNumberOfThreads) {
   const auto bits = [](int threads) {
     const ThreadLimit limit(threads);
