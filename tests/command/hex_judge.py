@@ -28,6 +28,7 @@ from hex_judge_paths import KEPT, KeptFeatures
 FARTHEST, FARTHEST_EXCESS, COMMON_EXCESS = 0.35, 0.2, 0.1  # in hexahedra: in all, beyond what edges cut off, its 99th percentile
 VOLUME = 0.05
 AREA, ON_FACE = 0.15, 0.9  # of a face: what the area of its quads may be off beside its border, and how much of it must be on the face
+SOFT = 0.5  # hexahedra that quads may reach over a border where the face is tangent to another one, since such borders need not be kept
 OUTCOMES = {"all_hex": 0, "approximate": 3, "partial": 6}  # with exit statuses
 
 
@@ -131,7 +132,8 @@ class Verdict:
         if not len(own):
             return "has no quads"
         areas = self.distances.quad_areas[own]
-        if abs(areas.sum() - face.area) > AREA * face.area + KEPT * self.size * face.perimeter:
+        border = KEPT * (face.perimeter - face.soft) + SOFT * face.soft
+        if abs(areas.sum() - face.area) > AREA * face.area + border * self.size:
             return f"has quads of {100 * areas.sum() / face.area:.0f} % of its area"
         middles = self.distances.corners[own].mean(axis=1)
         search = NearestTriangle(self.model.corners()[face.triangles], self.size / 2)

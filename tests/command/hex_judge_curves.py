@@ -46,10 +46,11 @@ class Curve:
 
 
 class Face:
-    """`number` in the file; `triangles`, `area`, `perimeter`, `is_resolved`."""
+    """`number` in the file; `triangles`, `area`; `perimeter`, and of it `soft`, where it is tangent to another face; `is_resolved`."""
 
-    def __init__(self, number, triangles, area, perimeter, curve_edges):
-        self.number, self.triangles, self.area, self.perimeter, self.curve_edges = number, triangles, area, perimeter, curve_edges
+    def __init__(self, number, triangles, area, perimeter, soft, curve_edges):
+        self.number, self.triangles, self.area, self.perimeter, self.soft = number, triangles, area, perimeter, soft
+        self.curve_edges = curve_edges
         self.is_resolved = True
 
 
@@ -194,7 +195,7 @@ class Features:
             triangles = np.flatnonzero(self.face_of == face)
             border = np.flatnonzero((beside == face).any(axis=1) & (self.on_curves & (hard | (beside[:, 0] != beside[:, 1]))))
             self.faces.append(Face(int(numbers[triangles[0]]), triangles, float(self.model.areas[triangles].sum()),
-                                   float(self.lengths[border].sum()), border[hard[border]]))
+                                   float(self.lengths[border].sum()), float(self.lengths[border[~hard[border]]].sum()), border[hard[border]]))
 
     def resolve(self):
         size = self.size

@@ -77,9 +77,11 @@ class Model:
         """Faces of one solid each: those between two are inside."""
         made = folder / f"{path.stem}.model.msh"
         if not made.exists():
-            run_gmsh(path, made, 1e22, "-1")
-            longest = np.ptp(GmshFile(made).points, axis=0).max()
-            run_gmsh(path, made, longest / FINE)
+            making = folder / f"{path.stem}.making.msh"  # so that a run that was killed leaves no half of it
+            run_gmsh(path, making, 1e22, "-1")
+            longest = np.ptp(GmshFile(making).points, axis=0).max()
+            run_gmsh(path, making, longest / FINE)
+            making.replace(made)
         file = GmshFile(made)
         faces, count = np.unique([face for volume in file.volumes for face in volume], return_counts=True)
         is_outside = np.isin(file.entities[TRIANGLE], faces[count == 1]) & are_solid(file.points[file.elements[TRIANGLE]])
