@@ -5,7 +5,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
@@ -79,11 +78,9 @@ class Extraction {
     DisjointSets corners(first_vertices_.back() + static_cast<std::uint32_t>(8 * components_.size()));
     join_vertices(corners);
     Checkpoint checkpoint;
-    for (std::uint32_t c = 0; c < components_.size(); ++c) {
-      checkpoint.pass();
-      if (is_hexahedron(c)) join_corners(c, corners);
-    }
-    for (std::uint32_t t = 0; t < tets_; ++t) join_neighbours(t, corners);
+    for (std::uint32_t c = 0; c < components_.size(); ++c)
+      if (is_hexahedron(c)) join_corners(c, corners, checkpoint);
+    for (std::uint32_t t = 0; t < tets_; ++t) join_neighbours(t, corners, checkpoint);
     return hexahedra(corners);
   }
 
@@ -124,6 +121,7 @@ class Extraction {
   void find_components() {
     DisjointSets cells(first_cells_.back());
     std::vector<Piece> all;
+    all.reserve(first_cells_.back());
     for (std::uint32_t t = 0; t < tets_; ++t)
       for (std::uint32_t c = 0; c < parts_[t].cells.size(); ++c) all.push_back({t, c});
     Checkpoint checkpoint;
@@ -232,12 +230,13 @@ class Extraction {
   }
 
   /// Joins the corners of a hexahedron to the vertices there.
-  void join_corners(std::uint32_t number, DisjointSets& corners) const {
+  void join_corners(std::uint32_t number, DisjointSets& corners, Checkpoint& checkpoint) const {
     const Component& component = components_[number];
     for (std::size_t p = 0; p < component.pieces.size(); ++p) {
       const auto& [tet, cell] = component.pieces[p];
       const std::uint8_t back = CubeGroup::instance().inverse_of(component.names[p]);
       for (std::uint8_t k = 0; k < 8; ++k) {
+        checkpoint.pass();
         ExactPoint at = parts_[tet].cells[cell].low;
         for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += towards(k)[axis] > 0 ? kGridUnit : 0;
         const std::uint32_t found = vertex_in(tet, at);
@@ -248,9 +247,8 @@ class Extraction {
 
   /// Joins the corners of hexahedra on either side of a face that a tet meets: a tet that meets two open
   /// cells meets the open face between them too.
-  void join_neighbours(std::uint32_t tet, DisjointSets& corners) const {
+  void join_neighbours(std::uint32_t tet, DisjointSets& corners, Checkpoint& checkpoint) const {
     const auto& cells = parts_[tet].cells;
-    Checkpoint checkpoint;
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
       checkpoint.pass();
       if (!is_hexahedron(component_of_[first_cells_[tet] + c])) continue;
@@ -283,23 +281,27 @@ class Extraction {
     ExtractedHexahedra result;
     for (const TetPart& part : parts_) result.flipped_tets += part.volume <= 0;
     const std::vector<std::uint32_t> places = places_of(corners);
-    std::map<std::uint32_t, std::uint32_t> numbers;
+    std::vector<std::uint32_t> numbers(places.size(), kNone);
     Checkpoint checkpoint;
     for (std::uint32_t c = 0; c < components_.size(); ++c) {
       checkpoint.pass();
       if (components_[c].degree == 0) continue;
       std::array<std::uint32_t, 8> hexahedron{};
       for (std::size_t k = 0; k < 8; ++k) hexahedron[k] = corners.root(corner(c, k));
-      const std::set<std::uint32_t> different(hexahedron.begin(), hexahedron.end());
-      if (!is_hexahedron(c) || different.size() < 8 || *different.rbegin() >= first_vertices_.back()) {
+      std::array<std::uint32_t, 8> ascending = hexahedron;
+      std::ranges::sort(ascending);
+      const bool are_different = std::ranges::adjacent_find(ascending) == ascending.end();
+      if (!is_hexahedron(c) || !are_different || ascending.back() >= first_vertices_.back()) {
         result.left_out.push_back(components_[c].pieces.front().tet);
         continue;
       }
       for (std::uint32_t& vertex : hexahedron) {
-        const auto [known, is_new] =
-            numbers.try_emplace(vertex, static_cast<std::uint32_t>(result.mesh.vertices.size()));
-        if (is_new) add_vertex(places[vertex], result);
-        vertex = known->second;
+        std::uint32_t& number = numbers[vertex];
+        if (number == kNone) {
+          number = static_cast<std::uint32_t>(result.mesh.vertices.size());
+          add_vertex(places[vertex], result);
+        }
+        vertex = number;
       }
       result.mesh.hexahedra.push_back(hexahedron);
       result.centre_tets.push_back(components_[c].centre_tet);

@@ -53,7 +53,9 @@ std::vector<Use> uses_of(const HexMesh& mesh) {
 /// Finds HexTopology::boundary and crowded_faces.
 void find_boundary(const HexMesh& mesh, HexTopology& topology) {
   const std::vector<Use> uses = uses_of(mesh);
+  Checkpoint checkpoint;
   for (std::size_t k = 0; k < uses.size();) {
+    checkpoint.pass();
     std::size_t end = k + 1;
     while (end < uses.size() && uses[end].sorted == uses[k].sorted) ++end;
     if (end - k == 1) {
@@ -139,9 +141,12 @@ HexTopology topology_of(const HexMesh& mesh) {
 
   std::vector<Edge> uses;
   uses.reserve(kHexEdges.size() * mesh.hexahedra.size());
-  for (const auto& hexahedron : mesh.hexahedra)
-    for (const auto& [a, b] : kHexEdges) uses.push_back(edge_of(hexahedron[a], hexahedron[b]));
   Checkpoint checkpoint;
+  for (const auto& hexahedron : mesh.hexahedra)
+    for (const auto& [a, b] : kHexEdges) {
+      checkpoint.pass();
+      uses.push_back(edge_of(hexahedron[a], hexahedron[b]));
+    }
   std::ranges::sort(uses, [&](const Edge& a, const Edge& b) {
     checkpoint.pass();
     return a < b;

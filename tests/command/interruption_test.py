@@ -3,11 +3,14 @@
 """Signals to `solve` and `hex`: the first leaves the last level or mesh that is finished, the second nothing."""
 
 import json
+import os
 import shutil
 import signal
 import subprocess
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 from field_reader import Field
 from program import NIGHTLY, PROGRAM, TIME_LIMIT, CommandTest, box_triangles, by_night, medit_text, stl_bytes, tet_box, torus_triangles, without_solve
@@ -240,6 +243,31 @@ class OfHexahedra(InterruptionTest):
                 code = self.interrupted_at(stage, "box.mesh", "--size", self.size)
                 # With a mesh, the first signal lets it be written.
                 self.assertIn(code, (0, INTERRUPTED) if stage == "smooth" else (INTERRUPTED,))
+
+    @unittest.skipUnless(NIGHTLY, "takes minutes")
+    def test_end_with_little_work_at_any_moment_of_the_extraction(self):
+        """In processor seconds, which a busy machine does not change."""
+        ticks = os.sysconf("SC_CLK_TCK")
+
+        def seconds(process):
+            fields = Path(f"/proc/{process.pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+            return sum(map(int, fields[11:13])) / ticks
+
+        for moment in range(1, 11):
+            with self.subTest(moment=moment), tempfile.TemporaryDirectory() as folder:
+                process = subprocess.Popen([PROGRAM, "hex", "box.mesh", "--size", str(self.size), "-o", folder + "/out", "--threads", "1",
+                                            "--progress", "json"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, cwd=self.folder)
+                next(line for line in process.stderr if line.startswith(b"{") and json.loads(line).get("phase") == "hexahedra")
+                start = seconds(process)
+                while process.poll() is None and seconds(process) < start + moment:
+                    time.sleep(0.01)
+                at_signal = seconds(process)
+                process.send_signal(signal.SIGINT)
+                process.stderr.read()
+                process.stderr.close()
+                _, status, usage = os.wait4(process.pid, 0)
+                process.returncode = os.waitstatus_to_exitcode(status)
+                self.assertLess(usage.ru_utime + usage.ru_stime - at_signal, 0.75)
 
     def test_end_while_tets_are_made(self):
         self.write("box.stl", stl_bytes(box_triangles((1.0, 1.0, 1.0))))

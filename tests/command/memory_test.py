@@ -82,6 +82,16 @@ class AddressSpace(MemoryTest):
 
 
 class RunsThatFit(MemoryTest):
+    def test_take_seconds_by_their_number(self):
+        """In processor seconds, at most ten times what docs/limits.md says."""
+        for cells, size in (((4, 3, 3), 0.2), ((10, 10, 10), 1.0)):
+            vertices, tets = tet_box(cells, (4.0, 3.0, 3.0))
+            self.write("box.mesh", medit_text(vertices, tets))
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            self.assert_succeeds(self.run_here("hex", "box.mesh", "--size", size, "-o", f"out{size}", "--no-report"))
+            seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+            self.assertLess(seconds, 10 * (len(tets) + 36 / size**3) / 1000)
+
     def test_keep_to_their_limits(self):
         runs = [(["hex", "box.mesh", "--size", "0.2"], 32), (["hex", "box.mesh", "--size", "0.1"], 80)]
         self.write("fine.mesh", medit_text(*tet_box((12, 12, 12), (4.0, 3.0, 3.0))))
