@@ -75,11 +75,11 @@ test("texts of hexahedra are legible and their controls have names", async () =>
 const kDevices = { desktop: kDesktop, phone: kPhone };
 for (const device_name of of_the_day(Object.keys(kDevices), "phone")) {
   const device = kDevices[device_name];
-  test(`texts are legible and controls have names: ${device_name}, light and dark`, async () => {
+  test(`texts are legible and controls have names: ${device_name}, dark, by night light too`, async () => {
     const { page } = await shared_page("components", { device });
     const select = (panel) => page.locator(`[data-testid="tab-${panel}"]`).click();
     const check = async (where) => {
-      for (const colorScheme of ["light", "dark"]) {
+      for (const colorScheme of of_the_day(["light", "dark"], "dark")) {
         await page.emulateMedia({ colorScheme });
         await page.waitForFunction((scheme) => window.crossgrain.state().resolved_theme === scheme, colorScheme);
         assert.deepEqual(await page.evaluate(faint_texts), [], `${where}, ${colorScheme}`);

@@ -29,7 +29,7 @@ const folder = mkdtempSync(join(tmpdir(), "crossgrain-viewer-"));
 export const template = readFileSync(new URL("../../viewer/dist/report.html", import.meta.url), "utf8");
 export { scene_named };
 
-const kNightly = process.env.CROSSGRAIN_NIGHTLY === "1";
+export const kNightly = process.env.CROSSGRAIN_NIGHTLY === "1";
 
 /** The names that were chosen to stand for all by day; all of them by night. */
 export const of_the_day = (names, ...chosen) => names.filter((name) => kNightly || chosen.includes(name));
