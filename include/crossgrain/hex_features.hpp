@@ -58,17 +58,28 @@ struct HexFeatures {
   Kept corners, creases, crease_length, faces;
   Distances of_mesh, of_model;  ///< of the mesh from the model, and of the model from the mesh
   double volume_ratio = 1;      ///< the mesh's over the model's
+
+  /// Euler number of each closed surface, ascending: 2 of a sphere, less 2 for each tunnel through it. Empty
+  /// of a surface that does not close up.
+  std::vector<int> shells, model_shells;
+
   std::vector<Lack> lacking;    ///< why hexahedra are only approximate
   std::vector<Lack> too_small;  ///< smaller than the hexahedra and not kept
 
   /// Whether all that is resolved is kept, and the surface within the limits.
   bool is_faithful() const { return lacking.empty(); }
+
+  /// Whether the mesh has as many closed surfaces as the model, with as many tunnels; if that is known.
+  bool has_topology_of_model() const {
+    return shells.empty() || model_shells.empty() || shells == model_shells;
+  }
 };
 
 /// How a mesh that roughly fills a model is made to keep its features.
 enum class HexFitWay : int {
   kAsMapped,  ///< it is left as it was extracted and smoothed
-  kFitted,    ///< its vertices are moved onto corners, creases and faces
+  kSnapped,   ///< single vertices are moved onto corners, creases and faces
+  kFitted,    ///< all vertices are moved at once, then single ones
   kLayered    ///< the same, with layers of hexahedra where the model's angles need them
 };
 
@@ -88,6 +99,9 @@ struct HexFitTry {
 
 /// Returns what is lacking: "2 creases are not kept, the first, edge 14, around 1 2 3"; empty if nothing is.
 std::string lacks_of(const HexFeatures& features);
+
+/// Returns how the topology differs: "it has 1 tunnel, the model 2"; empty if it does not.
+std::string topology_of(const HexFeatures& features);
 
 /// Returns what is kept: "8 of 8 corners, 12 of 12 creases and 6 of 6 faces kept; 3 smaller than the
 /// hexahedra".

@@ -33,10 +33,13 @@ std::size_t lost_features(const FeatureMeasure& measure) {
          static_cast<std::size_t>(std::ranges::count_if(measure.lacking, is_of_shape));
 }
 
+/// Worst scaled Jacobian of single moves from which moving all vertices at once gains little.
+constexpr double kFairShape = 0.4;
+
 /// Classes of worst shapes between which a difference counts: a tenth of a scaled Jacobian is worth no more
 /// hexahedra.
 int class_of(double least) {
-  return static_cast<int>(std::ranges::count_if(std::array{kPoorestShape, 0.1, kGoodShape},
+  return static_cast<int>(std::ranges::count_if(std::array{kPoorestShape, 0.1, kGoodShape, kFairShape},
                                                 [&](double bound) { return least >= bound; }));
 }
 
@@ -101,8 +104,9 @@ HexCarriers carriers_in(const HexMesh& mesh, const FeatureComplex& features, con
 }
 
 /// Moves an embedded mesh onto its features.
-FittedMesh moved_onto(HexMesh mesh, const FeatureComplex& features, const Embedding& embedding, double size) {
-  fit_onto(mesh, features, carriers_in(mesh, features, embedding), size);
+FittedMesh moved_onto(HexMesh mesh, const FeatureComplex& features, const Embedding& embedding, double size,
+                      const HexFittingOptions& options = {}) {
+  fit_onto(mesh, features, carriers_in(mesh, features, embedding), size, options);
   tag_boundary(features, FacesOfQuads(mesh, features, embedding), mesh);
   return measured(std::move(mesh), features, size);
 }
@@ -116,10 +120,18 @@ class FittingWays {
   }
 
   bool is_good() const { return fit_.best.is_good(); }
+  bool is_fair() const { return is_good() && fit_.best.least >= kFairShape; }
 
   void embed() {
     embedded_ = given_;
     embedding_ = embedded(embedded_, embedded_features_, size_);
+  }
+
+  /// A mesh that is nearly on its features stays as it is elsewhere.
+  void snap() {
+    const HexFittingOptions options{.point_rounds = 0, .slide_rounds = 0, .relaxations = 1};
+    keep(HexFitWay::kSnapped, moved_onto(embedded_, embedded_features_, embedding_, size_, options),
+         embedding_.faults.size());
   }
 
   void fit() {
@@ -193,7 +205,8 @@ FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& feature
   if (ways.is_good()) return std::move(ways).result();
   try {
     ways.embed();
-    ways.fit();
+    ways.snap();
+    if (!ways.is_fair()) ways.fit();
     if (!ways.is_good()) ways.fit_with_layers();
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted) throw;

@@ -35,11 +35,11 @@ struct FeatureFit {
   bool is_stopped = false;  ///< by Monitor::stop: the best of those that had ended by then
 };
 
-/// Returns the best of: the mesh as given; it moved onto the features after these are embedded in its
-/// surface; and the same with layers where the model's angles need them. A way is tried only if those before
-/// have lost something, or have shapes below kGoodShape. The best is valid; then it lacks the fewest
-/// features; then is near the surface; then its worst hexahedron is of the better class; then it has fewer
-/// hexahedra.
+/// Returns the best of: the mesh as given; it with single vertices moved onto the features after these are
+/// embedded in its surface; with all vertices moved at once; and the same with layers where the model's
+/// angles need them. A way is tried only if those before have lost something, or have shapes below
+/// kGoodShape. The best is valid; then it lacks the fewest features; then is near the surface; then its worst
+/// hexahedron is of the better class; then it has fewer hexahedra.
 ///
 /// `size` is about the edge of the hexahedra. Quads have the number of the model's face that they lie on.
 /// Old vertices and hexahedra keep their numbers. Regions stay; hexahedra of all regions are one solid here.

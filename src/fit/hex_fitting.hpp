@@ -18,8 +18,9 @@ struct HexFittingOptions {
   int relaxations = 12;  ///< sweeps over single vertices, between which they are put onto their carriers
   int lifts = 20;        ///< sweeps over the vertices of the worst hexahedra
 
-  /// The least scaled Jacobian for which a vertex goes all the way to its carrier.
-  double floor = 0.05;
+  /// The least scaled Jacobian for which a vertex goes all the way to its carrier: kPoorestShape. With 0.05,
+  /// two corners at which a cylinder and a plane meet at no angle are not reached.
+  double floor = 0.02;
 
   /// Hexahedra below this scaled Jacobian are lifted.
   double lifted_below = 0.4;

@@ -18,6 +18,10 @@ constexpr double kOnCarrier = 1e-9;
 /// In mean edges: moves that are too short to stir the surroundings.
 constexpr double kStir = 2e-3;
 
+/// Of the way to its carrier that a vertex may go at once. Short ones let its surroundings give way in
+/// between: with a quarter as the least, the corner of a cusp stays out of reach.
+constexpr std::array kShares{1.0, 0.5, 0.25, 0.125, 0.0625};
+
 /// Vertices of a task.
 constexpr std::size_t kMovesAtOnce = 32;
 
@@ -158,7 +162,7 @@ bool VertexMoves::snap_vertex(std::uint32_t vertex, double floor) {
   const Vector3 target = targets_.nearest(vertex, before, normals_[vertex]).point;
   VertexSurroundings around(mesh_, uses_[vertex]);
   const double least = around.least_scaled_jacobian();
-  for (const double share : {1.0, 0.5, 0.25}) {
+  for (const double share : kShares) {
     const Vector3 place = share == 1.0 ? target : before + share * (target - before);
     around.move_to(place);
     const double now = around.least_scaled_jacobian();

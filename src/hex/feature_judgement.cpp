@@ -82,6 +82,8 @@ HexFeatures features_kept(const HexMesh& mesh, const FeatureComplex& features, d
   kept.of_model = distances_in(measured.distances.of_model);
   kept.lacking = lacks_in(measured.lacking);
   kept.too_small = lacks_in(measured.too_small);
+  kept.shells = measured.shells;
+  kept.model_shells = measured.model_shells;
   return kept;
 }
 
@@ -89,6 +91,12 @@ void judge_features(const HexMesh& mesh, HexReport& report) {
   if (!report.features) report.features.emplace();
   HexFeatures& features = *report.features;
   features.volume_ratio = report.volume / report.model_volume;
+  if (std::string reason = topology_of(features); !reason.empty()) {
+    report.outcome = HexOutcome::kPartial;
+    report.reason = std::move(reason);
+    report.remedy = Remedy::kTakeSmallerHexahedra;
+    return;
+  }
   const std::optional<double> size = size_for_volume(report, mesh.boundary.size());
   if (size)
     features.lacking.push_back(

@@ -18,7 +18,8 @@ FeatureComplex features_of_model(const TetDomain& domain);
 HexFeatures features_kept(const HexMesh& mesh, const FeatureComplex& features, double size);
 
 /// Judges a result that is kAllHex so far by its features and its volume: kApproximate if it lacks any of
-/// these, with reason, places and what to try. The report has both, features if they were measured.
+/// these, with reason, places and what to try; kPartial if it has another topology than its model. The report
+/// has both, features if they were measured.
 void judge_features(const HexMesh& mesh, HexReport& report);
 
 }  // namespace crossgrain

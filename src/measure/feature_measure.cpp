@@ -10,6 +10,7 @@
 #include "base/vector3.hpp"
 #include "measure/hex_quality.hpp"
 #include "measure/surface_quads.hpp"
+#include "surface/shells.hpp"
 
 namespace crossgrain {
 namespace {
@@ -63,6 +64,7 @@ class FeatureMeasurer {
     judge_distances(result_.distances.of_mesh, FeatureMeasure::Kind::kOffModel);
     judge_distances(result_.distances.of_model, FeatureMeasure::Kind::kOffMesh);
     measure_volumes();
+    measure_shells();
     return std::move(result_);
   }
 
@@ -190,6 +192,18 @@ class FeatureMeasurer {
         result_.lacking.push_back(
             {Kind::kVolume, static_cast<std::uint32_t>(solid), 0, places[solid], ratio, 0, 0});
     }
+  }
+
+  void measure_shells() {
+    std::vector<std::array<std::uint32_t, 3>> of_mesh, of_model;
+    for (const SurfaceQuad& quad : quads_) {
+      const auto& [a, b, c, d] = quad.vertices;
+      if (quad.above == 0) of_mesh.insert(of_mesh.end(), {{a, b, c}, {a, c, d}});
+    }
+    for (std::size_t t = 0; t < complex_.triangles.size(); ++t)
+      if (complex_.faces[complex_.face_of[t]].above == 0) of_model.push_back(complex_.triangles[t]);
+    result_.shells = euler_numbers_of_shells(of_mesh);
+    result_.model_shells = euler_numbers_of_shells(of_model);
   }
 
   const HexMesh& mesh_;

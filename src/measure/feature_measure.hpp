@@ -62,6 +62,9 @@ struct FeatureMeasure {
   SurfaceDistances distances;
   double volume_ratio = 1;  ///< that of the solid whose volume is farthest off; 1 of an open model
 
+  /// Of the surfaces around all solids: euler_numbers_of_shells.
+  std::vector<int> shells, model_shells;
+
   std::vector<double> corner_distances;     ///< of each corner's vertex in sizes; infinite without
   std::vector<CurveShare> curve_shares;     ///< of each curve
   std::vector<std::size_t> quads_of_faces;  ///< of each face

@@ -47,6 +47,14 @@ std::string words_of_distance(const Lack& lack) {
                      words_of_place(lack.place));
 }
 
+/// "2 closed surfaces", or "1 tunnel" where all of these are alike.
+std::string words_of_shells(const std::vector<int>& shells, bool by_surfaces) {
+  if (by_surfaces) return counted(shells.size(), "closed surface");
+  std::size_t tunnels = 0;
+  for (const int euler : shells) tunnels += static_cast<std::size_t>((2 - euler) / 2);
+  return counted(tunnels, "tunnel");
+}
+
 std::string words_of_kept(const HexFeatures::Kept& kept, const char* one, const char* several) {
   return fmt::format("{:.0f} of {:.0f} {}", kept.kept, kept.all, kept.all == 1 ? one : several);
 }
@@ -59,8 +67,17 @@ const char* name_of(HexLackKind kind) {
 }
 
 const char* name_of(HexFitWay way) {
-  constexpr std::array kNames{"as_mapped", "fitted", "layered"};
+  constexpr std::array kNames{"as_mapped", "snapped", "fitted", "layered"};
   return name_among<HexFitWay::kLayered>(kNames, way);
+}
+
+std::string topology_of(const HexFeatures& features) {
+  if (features.has_topology_of_model()) return "";
+  const bool by_surfaces = features.shells.size() != features.model_shells.size();
+  const std::string of_mesh = words_of_shells(features.shells, by_surfaces);
+  const std::string of_model = words_of_shells(features.model_shells, by_surfaces);
+  if (of_mesh == of_model) return "its closed surfaces have tunnels at other places than the model's";
+  return fmt::format("it has {}, the model {}", of_mesh, of_model);
 }
 
 std::string lacks_of(const HexFeatures& features) {

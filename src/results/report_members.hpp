@@ -162,7 +162,7 @@ CROSSGRAIN_DESCRIBE(HexFeatures::Kept, all, kept)
 CROSSGRAIN_DESCRIBE(HexFeatures::Distances, percentile_99, largest, place, largest_in_all)
 CROSSGRAIN_DESCRIBE(HexFitTry, way, hexahedra, added, unplaced, lacking, least, inverted, seconds)
 CROSSGRAIN_DESCRIBE(HexFeatures, corners, creases, crease_length, faces, of_mesh, of_model, volume_ratio,
-                    lacking, too_small)
+                    shells, model_shells, lacking, too_small)
 
 template <class File, MaybeConst<HexReport> Report>
 void describe(File& file, Report& hexahedra) {

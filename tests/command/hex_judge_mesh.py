@@ -14,7 +14,7 @@ PLACES = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0,
 
 LINE, TRIANGLE, QUAD, TET, HEXAHEDRON, POINT = 1, 2, 3, 4, 5, 15  # Gmsh's types of elements
 WIDTHS = {LINE: 2, TRIANGLE: 3, QUAD: 4, TET: 4, HEXAHEDRON: 8, POINT: 1}
-DEEPEST = 7  # halvings of a hexahedron until its determinant's sign is known; after them it counts as invalid
+DEEPEST = 12  # halvings of a hexahedron until its determinant's sign is known; after them it counts as invalid
 
 
 class GmshFile:

@@ -136,8 +136,8 @@ class HexTest(CommandTest):
 
     def test_an_octahedron_is_filled_though_four_faces_meet_in_its_corners(self):
         self.write("octahedron.stl", stl_bytes(OCTAHEDRON))
-        made = self.hexahedra("octahedron.stl", "--cells", "9", "--tet-size", "0.4", code=APPROXIMATE)
-        self.assertRegex(made["reason"], "^[0-9]+ creases? (is|are) not kept")
+        made = self.hexahedra("octahedron.stl", "--cells", "9", "--tet-size", "0.4")
+        self.assertEqual((made["features"]["creases"], made["features"]["corners"]), ({"all": 12, "kept": 12}, {"all": 6, "kept": 6}))
         self.assertGreater(made["scaled_jacobian"]["min"], 0)
         self.assertIn("expected   about ", self.result.stdout)
         self.assertLessEqual(made["largest_distance"], 0.05 * made["used_size"])

@@ -76,6 +76,17 @@ TEST(FeatureMeasure, FindsNothingLackingOnABoxOfCubes) {
   EXPECT_NEAR(measure.volume_ratio, 1, 1e-12);
 }
 
+TEST(FeatureMeasure, CountsTunnelsAndClosedSurfaces) {
+  HexMesh mesh = hexahedra_of_box({5, 5, 5}, {5, 5, 5});
+  const FeatureComplex box = features_of_mesh(make_box({5, 5, 5}));
+  EXPECT_EQ(feature_measure(mesh, box, 1).shells, std::vector{2});
+  EXPECT_EQ(feature_measure(mesh, box, 1).model_shells, std::vector{2});
+  mesh.hexahedra.erase(mesh.hexahedra.begin() + 62);  // the one in the middle
+  EXPECT_EQ(feature_measure(mesh, box, 1).shells, (std::vector{2, 2}));
+  for (const int index : {111, 86, 37, 12}) mesh.hexahedra.erase(mesh.hexahedra.begin() + index);
+  EXPECT_EQ(feature_measure(mesh, box, 1).shells, std::vector{0});
+}
+
 TEST(FeatureMeasure, TellsHowFarAVertexIsOffItsCorner) {
   HexMesh mesh = hexahedra_of_box({4, 4, 4}, {4, 4, 4});
   const FeatureComplex complex = features_of_mesh(make_box({4, 4, 4}));

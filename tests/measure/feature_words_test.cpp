@@ -36,5 +36,17 @@ TEST(FeatureWords, TellWhatIsKeptAndWhatIsTooSmall) {
   EXPECT_EQ(kept_of(features), "7 of 8 corners, 1 of 1 crease kept; 2 features smaller than the hexahedra");
 }
 
+TEST(TopologyOf, TellsWhatDiffers) {
+  HexFeatures features;
+  EXPECT_EQ(topology_of(features), "");
+  features.shells = {0};
+  features.model_shells = {-2};
+  EXPECT_EQ(topology_of(features), "it has 1 tunnel, the model 2 tunnels");
+  features.model_shells = {0, 2};
+  EXPECT_EQ(topology_of(features), "it has 1 closed surface, the model 2 closed surfaces");
+  features.model_shells = {0};
+  EXPECT_TRUE(features.has_topology_of_model());
+}
+
 }  // namespace
 }  // namespace crossgrain

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/shells.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
+#include "surface/edge_uses.hpp"
+
+namespace crossgrain {
+namespace {
+
+std::uint32_t corner_at(std::span<const std::array<std::uint32_t, 3>> triangles, std::uint32_t triangle,
+                        std::uint32_t vertex) {
+  const auto& corners = triangles[triangle];
+  return static_cast<std::uint32_t>(3 * triangle + (std::ranges::find(corners, vertex) - corners.begin()));
+}
+
+}  // namespace
+
+std::vector<int> euler_numbers_of_shells(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  const std::vector<EdgeUse> uses = sorted_edge_uses(triangles);
+  DisjointSets shells(triangles.size());
+  DisjointSets fans(3 * triangles.size());
+  bool is_closed = true;
+  Checkpoint checkpoint;
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    checkpoint.pass();
+    is_closed = is_closed && edge.size() == 2;
+    if (!is_closed) return;
+    shells.join(edge[0].triangle, edge[1].triangle);
+    for (const std::uint32_t vertex : {edge[0].low(), edge[0].high()})
+      fans.join(corner_at(triangles, edge[0].triangle, vertex),
+                corner_at(triangles, edge[1].triangle, vertex));
+  });
+  if (!is_closed) return {};
+  std::vector<int> doubled(triangles.size(), 0);  // of vertices - edges + triangles, by the shell's root
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    checkpoint.pass();
+    if (is_collapsed(triangles[t])) continue;
+    int& sum = doubled[shells.root(t)];
+    sum += 2 - 3;
+    for (std::uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner)
+      sum += fans.root(corner) == corner ? 2 : 0;
+  }
+  std::vector<int> numbers;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    if (shells.root(t) == t && !is_collapsed(triangles[t])) numbers.push_back(doubled[t] / 2);
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
+}  // namespace crossgrain
