@@ -142,9 +142,10 @@ class Verdict:
         return f"has quads that are {100 * (1 - share):.0f} % elsewhere" if share < ON_FACE else None
 
     def mixed(self, own, tags):
-        """Whether quads on one face have several numbers, in a file that numbers faces by itself."""
+        """Whether quads on one face have several numbers, in a file that numbers faces by itself; 0 is none."""
+        own = own[tags[own] != 0]
         shares = np.bincount(tags[own] - tags.min(), self.distances.quad_areas[own])
-        return None if shares.max() >= ON_FACE * shares.sum() else "has quads of several numbers"
+        return None if not len(own) or shares.max() >= ON_FACE * shares.sum() else "has quads of several numbers"
 
     def judge_distances(self):
         self.figures["distances"] = {"mesh_to_model": self.distances.mesh_to_model, "model_to_mesh": self.distances.model_to_mesh}
