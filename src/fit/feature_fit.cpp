@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "fit/coarser_features.hpp"
 #include "fit/embedding.hpp"
@@ -17,6 +18,7 @@
 #include "fit/layers.hpp"
 #include "measure/hex_quality.hpp"
 #include "measure/hex_validity.hpp"
+#include "measure/surface_distance.hpp"
 
 namespace crossgrain {
 namespace {
@@ -87,12 +89,6 @@ FittedMesh measured(HexMesh mesh, const FeatureComplex& features, double size) {
   return fitted;
 }
 
-void tag_boundary(const FeatureComplex& features, const FacesOfQuads& faces, HexMesh& mesh) {
-  for (HexMesh::Face& quad : mesh.boundary)
-    if (const std::uint32_t face = faces.face(quad.vertices); face != Embedding::kNone)
-      quad.tag = features.faces[face].number;
-}
-
 HexCarriers carriers_in(const HexMesh& mesh, const FeatureComplex& features, const Embedding& embedding) {
   std::vector<HexCarriers::Quad> quads;
   const QuadComplex surface = surface_of(mesh, features);
@@ -103,19 +99,11 @@ HexCarriers carriers_in(const HexMesh& mesh, const FeatureComplex& features, con
                      std::move(quads));
 }
 
-/// Moves an embedded mesh onto its features.
-FittedMesh moved_onto(HexMesh mesh, const FeatureComplex& features, const Embedding& embedding, double size,
-                      const HexFittingOptions& options = {}) {
-  fit_onto(mesh, features, carriers_in(mesh, features, embedding), size, options);
-  tag_boundary(features, FacesOfQuads(mesh, features, embedding), mesh);
-  return measured(std::move(mesh), features, size);
-}
-
 /// The ways, one after the other, with the best so far.
 class FittingWays {
  public:
   FittingWays(const HexMesh& mesh, const FeatureComplex& features, double size)
-      : given_(mesh), embedded_features_(features), size_(size) {
+      : given_(mesh), features_(features), embedded_features_(features), size_(size) {
     keep(HexFitWay::kAsMapped, measured(mesh, features, size), 0);
   }
 
@@ -130,25 +118,49 @@ class FittingWays {
   /// A mesh that is nearly on its features stays as it is elsewhere.
   void snap() {
     const HexFittingOptions options{.point_rounds = 0, .slide_rounds = 0, .relaxations = 1};
-    keep(HexFitWay::kSnapped, moved_onto(embedded_, embedded_features_, embedding_, size_, options),
-         embedding_.faults.size());
+    keep(HexFitWay::kSnapped, moved(options), embedding_.faults.size());
   }
 
-  void fit() {
-    keep(HexFitWay::kFitted, moved_onto(embedded_, embedded_features_, embedding_, size_),
-         embedding_.faults.size());
-  }
+  void fit() { keep(HexFitWay::kFitted, moved({}), embedding_.faults.size()); }
 
   void fit_with_layers() {
     add_layers(embedded_, embedded_features_, embedding_);
-    keep(HexFitWay::kLayered, moved_onto(embedded_, embedded_features_, embedding_, size_),
-         embedding_.faults.size());
+    keep(HexFitWay::kLayered, moved({}), embedding_.faults.size());
   }
 
   void stop() { fit_.is_stopped = true; }
   FeatureFit result() && { return std::move(fit_); }
 
  private:
+  /// The embedded mesh, moved onto its features.
+  FittedMesh moved(const HexFittingOptions& options) const {
+    HexMesh mesh = embedded_;
+    fit_onto(mesh, embedded_features_, carriers_in(mesh, embedded_features_, embedding_), size_, options);
+    tag_boundary(mesh);
+    return measured(std::move(mesh), features_, size_);
+  }
+
+  /// Soft curves without a path divide faces all the same: quads have the number of the nearest of those that
+  /// are one in the embedding.
+  void tag_boundary(HexMesh& mesh) const {
+    const FacesOfQuads faces(mesh, embedded_features_, embedding_);
+    const FeatureTrees trees(features_);
+    std::vector<std::uint32_t> groups;
+    for (const FeatureComplex::Face& face : features_.faces)
+      groups.push_back(embedding_.group_of_face[embedded_features_.face_of[face.triangles.front()]]);
+    parallel_for(mesh.boundary.size(), [&](std::size_t q) {
+      HexMesh::Face& quad = mesh.boundary[q];
+      const std::uint32_t index = faces.face(quad.vertices);
+      if (index == Embedding::kNone) return;
+      const FeatureComplex::Face& face = embedded_features_.faces[index];
+      Vector3 centre{0, 0, 0};
+      for (const std::uint32_t v : quad.vertices) centre += 0.25 * mesh.vertices[v];
+      const std::uint32_t nearest = trees.nearest_face(centre, face.below, face.above);
+      const bool is_of_group = groups[nearest] == embedding_.group_of_face[index];
+      quad.tag = is_of_group ? features_.faces[nearest].number : face.number;
+    });
+  }
+
   void keep(HexFitWay way, FittedMesh made, std::size_t unplaced) {
     const std::size_t hexahedra = made.mesh.hexahedra.size();
     fit_.tries.push_back({way, hexahedra, hexahedra - given_.hexahedra.size(), unplaced,
@@ -159,7 +171,8 @@ class FittingWays {
   }
 
   const HexMesh& given_;
-  FeatureComplex embedded_features_;
+  const FeatureComplex& features_;
+  FeatureComplex embedded_features_;  ///< without the soft curves that have no path
   const double size_;
   Stopwatch stopwatch_;
   HexMesh embedded_;

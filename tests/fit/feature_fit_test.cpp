@@ -50,6 +50,19 @@ TEST(FeatureFit, GivesQuadsTheNumbersOfTheModelsFaces) {
   EXPECT_EQ(quads.count(0), 0u);
 }
 
+TEST(FeatureFit, GivesQuadsTheNumbersOfFacesThatASoftCurveWithoutPathDivides) {
+  const FittedShape shape = dented_box();
+  TriangleMesh halved = translate_mesh(make_box({5, 4, 3}), {2.5, 2, 1.5});
+  for (std::int32_t t = 0; t < 12; ++t) halved.faces.push_back(t + 1);
+  const FeatureFit fit =
+      fitted_to_features(shape.mesh, feature_complex(prepare_surface(std::move(halved))), 1);
+  EXPECT_NE(fit.best_try, 0u);
+  std::map<std::int32_t, std::size_t> quads;
+  for (const HexMesh::Face& face : fit.best.mesh.boundary) ++quads[face.tag];
+  EXPECT_EQ(quads.size(), 12u);
+  EXPECT_EQ(quads.count(0), 0u);
+}
+
 TEST(FeatureFit, IsTheSameForAnyNumberOfThreads) {
   const FittedShape shape = dented_box();
   const auto made = [&](int threads) {
