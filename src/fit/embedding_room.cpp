@@ -25,7 +25,7 @@ bool put_ring_around(HexMesh& mesh, const std::set<QuadKey>& quads, std::vector<
     return opposite[side] == kNoSide && !quads.contains(ascending(corners_of_side(mesh, side)));
   };
   const HexSheet sheet = sheet_around(mesh, std::move(is_shrunk), opposite, is_covered);
-  if (sheet.sides.empty()) return false;
+  if (sheet.is_crowded || sheet.sides.empty()) return false;
   HexMesh changed = mesh;
   if (!insert_sheet(changed, sheet).inverted.empty()) return false;
   mesh = std::move(changed);

@@ -53,25 +53,39 @@ std::vector<std::uint32_t> with_twins(std::span<const std::array<std::uint32_t, 
   return all;
 }
 
-/// Appends the way from a vertex to the next: straight on, or over a twin of one or both.
-void append_way(const QuadComplex& surface, std::span<const std::array<std::uint32_t, 2>> twins,
+/// Appends the way from a vertex to the next: straight on, or over a twin of one or both. Returns whether
+/// there is one.
+bool append_way(const QuadComplex& surface, std::span<const std::array<std::uint32_t, 2>> twins,
                 std::uint32_t next, std::vector<std::uint32_t>& path) {
   const std::uint32_t from = path.back();
   const auto has_edge = [&](std::uint32_t a, std::uint32_t b) {
     return a == b || surface.edge_between(a, b) != QuadComplex::kNone;
   };
-  if (!has_edge(from, next)) {
-    for (const std::uint32_t a : with_twins(twins, from)) {
-      for (const std::uint32_t b : with_twins(twins, next)) {
-        if (!has_edge(from, a) || !has_edge(a, b) || !has_edge(b, next)) continue;
-        if (a != from) path.push_back(a);
-        if (b != next) path.push_back(b);
-        path.push_back(next);
-        return;
-      }
+  if (has_edge(from, next)) {
+    path.push_back(next);
+    return true;
+  }
+  for (const std::uint32_t a : with_twins(twins, from)) {
+    for (const std::uint32_t b : with_twins(twins, next)) {
+      if (!has_edge(from, a) || !has_edge(a, b) || !has_edge(b, next)) continue;
+      if (a != from) path.push_back(a);
+      if (b != next) path.push_back(b);
+      path.push_back(next);
+      return true;
     }
   }
-  path.push_back(next);
+  return false;
+}
+
+/// Returns a path along edges of the surface; empty if there is none.
+std::vector<std::uint32_t> path_after(const QuadComplex& surface,
+                                      std::span<const std::array<std::uint32_t, 2>> twins,
+                                      const std::vector<std::uint32_t>& path) {
+  if (path.empty()) return {};
+  std::vector<std::uint32_t> longer{path.front()};
+  for (std::size_t k = 1; k < path.size(); ++k)
+    if (!append_way(surface, twins, path[k], longer)) return {};
+  return longer;
 }
 
 }  // namespace
@@ -83,12 +97,7 @@ void update_embedding(const QuadComplex& before, const QuadComplex& after, const
   for (const QuadComplex::Quad& quad : after.quads())
     embedding.face_of_quad.push_back(face_at(faces, quad.vertices));
   const auto twins = twins_of(sheet);
-  for (std::vector<std::uint32_t>& path : embedding.path_of_curve) {
-    if (path.empty()) continue;
-    std::vector<std::uint32_t> longer{path.front()};
-    for (std::size_t k = 1; k < path.size(); ++k) append_way(after, twins, path[k], longer);
-    path = std::move(longer);
-  }
+  for (std::vector<std::uint32_t>& path : embedding.path_of_curve) path = path_after(after, twins, path);
 }
 
 }  // namespace crossgrain

@@ -9,7 +9,8 @@
 namespace crossgrain {
 
 /// Follows what a sheet did to quads and paths. `before` and `after` are the surfaces of the mesh. A quad
-/// keeps its face, a new one has that of the quad beside; a path that the sheet has cut runs over the twins.
+/// keeps its face, a new one has that of the quad beside; a path that the sheet has cut runs over the twins,
+/// and is empty if it cannot.
 void update_embedding(const QuadComplex& before, const QuadComplex& after, const InsertedSheet& sheet,
                       Embedding& embedding);
 

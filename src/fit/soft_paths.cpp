@@ -161,6 +161,7 @@ class SoftPaths {
       if (vertex != kNowhere) is_taken[vertex] = true;
     std::vector<AssignmentChoice> choices;
     for (std::uint32_t c = 0; c < features_.corners.size(); ++c) {
+      check_watched();
       const FeatureComplex::Corner& corner = features_.corners[c];
       if (vertices_[c] != kNowhere || corner.ends.empty() || has_sharp_end(corner)) continue;
       for (const std::uint32_t v : surface_.vertices()) {
