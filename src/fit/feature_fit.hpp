@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/hex_features.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "measure/feature_measure.hpp"
@@ -30,9 +32,10 @@ struct FittedMesh {
 
 struct FeatureFit {
   FittedMesh best;
-  std::vector<HexFitTry> tries;
+  std::vector<HexFitTry> tries;  ///< none if a stop came before the mesh as given was measured
   std::size_t best_try = 0;
-  bool is_stopped = false;  ///< by Monitor::stop: the best of those that had ended by then
+  bool is_stopped = false;          ///< by Monitor::stop: the best of those that had ended by then
+  std::optional<Error> limit = {};  ///< of memory, which kept other ways from being tried
 };
 
 /// Returns the best of: the mesh as given; it with single vertices moved onto the features after these are
@@ -43,7 +46,8 @@ struct FeatureFit {
 ///
 /// `size` is about the edge of the hexahedra. Quads have the number of the model's face that they lie on.
 /// Old vertices and hexahedra keep their numbers. Regions stay; hexahedra of all regions are one solid here.
-/// The same to the bit for any number of threads. A stop of watched loops returns what there is.
+/// The same to the bit for any number of threads. A stop of watched loops, and their limit of
+/// memory, return what there is.
 FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, double size);
 
 /// Worst scaled Jacobians: good ones, and the least that finite elements are commonly computed on.

@@ -101,6 +101,9 @@ class AttemptQueue {
   /// Begins a round with a field.
   void start_on(StartingField field);
 
+  /// Whether the monitor allows stops.
+  bool may_be_stopped() const { return may_be_stopped_; }
+
   /// Whether a stop has ended it.
   bool is_stopped() const { return is_stopped_; }
 

@@ -85,15 +85,24 @@ bool is_one_region(const HexMesh& mesh) {
   return std::ranges::all_of(mesh.regions, [&](std::int32_t region) { return region == mesh.regions[0]; });
 }
 
-/// Makes a mesh keep features; returns whether it was stopped.
-bool fit(const FeatureComplex& features, const Monitor& monitor, HexMesh& mesh, HexReport& report) {
-  if (features.faces.size() > kMostListedFaces) return false;
-  const WatchedLoops watched(monitor, Stops::kHeeded);
+/// What kept better hexahedra from being tried.
+struct EarlyEnd {
+  bool is_stopped;
+  std::optional<Error> limit;
+};
+
+/// Makes a mesh keep features. Throws at a stop unless the monitor allows it.
+void fit(const FeatureComplex& features, const AttemptQueue& queue, HexMesh& mesh, HexReport& report,
+         EarlyEnd& end) {
+  if (features.faces.size() > kMostListedFaces) return;
+  const WatchedLoops watched(queue.monitor(), Stops::kHeeded);
   FeatureFit fitted = fitted_to_features(mesh, features, report.used_size);
+  if (fitted.is_stopped && !queue.may_be_stopped()) watched.check();
   mesh = std::move(fitted.best.mesh);
   report.fit_tries = std::move(fitted.tries);
   report.best_fit = fitted.best_try;
-  return fitted.is_stopped;
+  end.is_stopped |= fitted.is_stopped;
+  if (!end.limit) end.limit = std::move(fitted.limit);
 }
 
 /// Returns the best of a queue that has a mesh, with the report of all attempts.
@@ -120,8 +129,8 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   const bool is_complete = queue.attempts()[queue.best_attempt()].outcome == HexOutcome::kAllHex;
   std::optional<FeatureComplex> features;
   if (is_complete && contacts.empty()) features = features_of_model(field.domain());
-  bool is_stopped = queue.is_stopped();
-  if (features && is_one_region(mesh)) is_stopped |= fit(*features, queue.monitor(), mesh, report);
+  EarlyEnd end{queue.is_stopped(), queue.limit()};
+  if (features && is_one_region(mesh)) fit(*features, queue, mesh, report, end);
   measure(mesh, followed.solid(), has_inner_boundary ? FitTo::kEachSolid : FitTo::kCommonSurface, report);
   report.outcome = queue.attempts()[queue.best_attempt()].outcome;
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
@@ -137,10 +146,10 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   count_quads(mesh, whole.faces);
   choose_size(whole.faces, followed.solid(), report);
   const bool is_up_to_solids = is_partial(report.outcome) && best.made->are_complete();
-  if (is_stopped && !is_up_to_solids) report.remedy = Remedy::kLetFinish;
+  if (end.is_stopped && !is_up_to_solids) report.remedy = Remedy::kLetFinish;
   report.attempts = queue.attempts();
   report.best_attempt = queue.best_attempt();
-  report.is_stopped = is_stopped;
+  report.is_stopped = end.is_stopped;
   const HexSeconds& seconds = queue.seconds();
   report.repair_seconds = seconds.repair;
   report.map_seconds = seconds.map;
@@ -148,8 +157,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.smoothing_seconds = seconds.smoothing;
   report.analysis_seconds = stopwatch.restart();
   warn_of_fit(followed.solid(), best.made->fills, report, whole);
-  if (queue.limit() && report.outcome != HexOutcome::kAllHex)
-    whole.warnings.push_back(ended_at(*queue.limit()));
+  if (end.limit && report.outcome != HexOutcome::kAllHex) whole.warnings.push_back(ended_at(*end.limit));
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
   whole.hexahedra = std::move(report);
   whole.answer.is_meshed = true;

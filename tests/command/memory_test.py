@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`hex`, `tets` and repairs keep to --max-memory, with the programs that they start: what does not fit is refused before it is made."""
 
+import json
 import resource
 import subprocess
 import time
@@ -11,7 +12,7 @@ from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, medit_text,
 from resident_memory import resident_bytes_with_descendants
 from tets_test import MAKERS
 
-LIMIT, PARTIAL = 5, 6
+LIMIT, PARTIAL, APPROXIMATE = 5, 6, 7
 PAUSE_S = 0.005
 
 
@@ -82,6 +83,18 @@ class AddressSpace(MemoryTest):
 
 
 class RunsThatFit(MemoryTest):
+    def test_leave_hexahedra_as_they_are_mapped_where_memory_does_not_suffice_to_fit_them(self):
+        # A ridge across the diagonals of hexahedra.
+        vertices, tets = tet_box((4, 4, 3), (4.0, 4.0, 3.0))
+        vertices[:, 2] *= 1 - 0.12 * abs(vertices[:, 0] - vertices[:, 1])
+        self.write("roof.mesh", medit_text(vertices, tets))
+        command = ["hex", "roof.mesh", "--cells", "20", "--threads", "2", "--no-report", "-o", "out", "--force"]
+        peak = self.peak_of(*command, "--max-memory", "27MB", codes=(APPROXIMATE,))
+        self.assertLessEqual(peak, 27e6)
+        report = json.loads((self.folder / "out/report.json").read_text())
+        self.assertEqual([a_try["way"] for a_try in report["hexahedra"]["fit_tries"]], ["as_mapped"])
+        self.assertEqual([warning["kind"] for warning in report["warnings"]].count("attempt_limited"), 1)
+
     def test_take_seconds_by_their_number(self):
         """In processor seconds, at most ten times what docs/limits.md says."""
         for cells, size in (((4, 3, 3), 0.2), ((10, 10, 10), 1.0)):

@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "base/parallel.hpp"
+#include "crossgrain/monitor.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "fit/fitted_shapes.hpp"
 #include "measure/hex_faces.hpp"
@@ -70,6 +72,17 @@ TEST(FeatureFit, IsTheSameForAnyNumberOfThreads) {
     return fitted_to_features(shape.mesh, shape.complex, 1).best.mesh.vertices;
   };
   EXPECT_EQ(made(1), made(2));
+}
+
+TEST(FeatureFit, LeavesTheMeshAsItIsWhereAStopComesBeforeItIsMeasured) {
+  const FittedShape shape = dented_box();
+  Monitor monitor;
+  monitor.stop();
+  const WatchedLoops watched(monitor, Stops::kHeeded);
+  const FeatureFit fit = fitted_to_features(shape.mesh, shape.complex, 1);
+  EXPECT_TRUE(fit.is_stopped);
+  EXPECT_TRUE(fit.tries.empty());
+  EXPECT_EQ(fit.best.mesh.vertices, shape.mesh.vertices);
 }
 
 TEST(FeatureFit, IsBetterValidThanFaithfulAndFaithfulThanOfGoodShape) {
