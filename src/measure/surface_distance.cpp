@@ -11,14 +11,14 @@
 #include "base/ascending.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "measure/triangle_samples.hpp"
 #include "surface/bvh.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// Pieces of a triangle of the model along its longest edge, in a size, and the most.
-constexpr double kSamplesAcross = 3;
-constexpr int kMostPiecesOfTriangle = 64;
+/// Samples of the model are so many sizes apart.
+constexpr double kSampleSpacing = 1.0 / 3;
 
 /// Distance of a point on an edge, over its length: far above rounding.
 constexpr double kOnEdge = 1e-6;
@@ -229,27 +229,6 @@ struct QuadTriangles {
   }
 };
 
-/// Centres of equal pieces of a triangle, and its corners, without weight.
-void add_samples(const std::array<Vector3, 3>& corners, double size, std::vector<DistanceSample>& samples) {
-  const auto& [a, b, c] = corners;
-  const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
-  const int pieces = static_cast<int>(
-      std::clamp(std::ceil(kSamplesAcross * longest / size), 1.0, 1.0 * kMostPiecesOfTriangle));
-  const double weight = norm(cross(b - a, c - a)) / 2 / (pieces * pieces);
-  const auto add = [&](double u, double v, double own) {
-    samples.push_back({a + (u / pieces) * (b - a) + (v / pieces) * (c - a), own, 0, 0});
-  };
-  for (int i = 0; i < pieces; ++i) {
-    for (int j = 0; i + j < pieces; ++j) {
-      add(i + 1.0 / 3, j + 1.0 / 3, weight);
-      if (i + j + 1 < pieces) add(i + 2.0 / 3, j + 2.0 / 3, weight);
-    }
-  }
-  add(0, 0, 0);
-  add(pieces, 0, 0);
-  add(0, pieces, 0);
-}
-
 DistanceFigures distances_of_model(const HexMesh& mesh, std::span<const SurfaceQuad> quads,
                                    std::span<const double> cut_off, const FeatureComplex& complex,
                                    double size) {
@@ -262,7 +241,9 @@ DistanceFigures distances_of_model(const HexMesh& mesh, std::span<const SurfaceQ
   std::vector<DistanceSample> samples;
   std::vector<std::uint32_t> face_of;
   for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
-    add_samples(complex.points_of(t), size, samples);
+    for_each_sample(complex.points_of(t), kSampleSpacing * size, [&](const Vector3& place, double weight) {
+      samples.push_back({place, weight, 0, 0});
+    });
     face_of.resize(samples.size(), complex.face_of[t]);
   }
   parallel_for(samples.size(), [&](std::size_t k) {
