@@ -266,6 +266,21 @@ std::vector<std::string> made_constraints() {
               {"at": [1, 2, 3], "stress": [1, 2, 3, 4, 5, 6], "weight": 1e-3}]})"};
 }
 
+/// Each names what a mutation shall change.
+std::vector<std::string> made_hex_options() {
+  const std::string few = "solve.resolution 4\nhexahedra.cells 2\n";
+  return {"model cube\nhexahedra.size 0.5\nsolve.resolution 4\n",
+          "model cube\nscale 1e3\nhexahedra.size 500\nsolve.resolution 4\nsolve.degree 3\n",
+          "model tet\nscale 1\n" + few + "hexahedra.threads 2\nsolve.threads 2\nsolve.seed 7\n",
+          "model plate\nhexahedra.cells 3\nsolve.cell_size 0.75\nsolve.crease_angle_deg 35\n",
+          "model cube\n" + few + "solve.max_memory_bytes 450000000\ntets.max_memory_bytes 450000000\n",
+          "model cube\n" + few + "solve.unite_solids 1\nsolve.boundary 1\ntags.keep_all 1\ntets.unit 2\n",
+          "model surface\n" + few + "tets.size 1\ntets.edges 2\ntets.edges_per_circle 18\n",
+          "model surface\n" + few +
+              "tets.edges 2\ntets.crease_angle_deg 35\ntets.seconds 60\n"
+              "tets.maker 0\ntets.read_seconds 60\ntets.glue 1\n"};
+}
+
 }  // namespace
 
 std::vector<std::string> made_inputs(std::string_view reader) {
@@ -300,6 +315,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "cad") return made_cad();
   if (reader == "cad_answer") return made_cad_answers();
   if (reader == "netgen_answer") return made_netgen_answers();
+  if (reader == "hex_options") return made_hex_options();
   throw std::logic_error("no inputs for " + std::string(reader));
 }
 

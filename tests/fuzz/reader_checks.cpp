@@ -37,6 +37,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"cad", check_cad},
     ReaderUnderTest{"cad_answer", check_cad_answer},
     ReaderUnderTest{"netgen_answer", check_netgen_answer},
+    ReaderUnderTest{"hex_options", check_hex_options, true},
 };
 
 }  // namespace

@@ -68,9 +68,14 @@ ReaderCheck check_cad;
 ReaderCheck check_cad_answer;
 ReaderCheck check_netgen_answer;
 
+/// No file but options of `hex`, as lines of text (option_checks.cpp): hexahedra are made, or an Error of any
+/// kind says why not. Takes about a second at most.
+ReaderCheck check_hex_options;
+
 struct ReaderUnderTest {
   std::string_view name;  ///< of its fuzz target, dictionary and folder of regression inputs
   ReaderCheck* check;
+  bool computes = false;  ///< rather than reads: what it takes does not follow from the number of bytes
 };
 std::span<const ReaderUnderTest> readers_under_test();
 
