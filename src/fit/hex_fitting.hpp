@@ -11,8 +11,8 @@
 namespace crossgrain {
 
 struct HexFittingOptions {
-  int point_rounds = 6;  ///< with vertices pulled to places spread evenly over their carriers
-  int slide_rounds = 6;  ///< with vertices pulled to the nearest places of them
+  int point_rounds = 3;  ///< with vertices pulled to places spread evenly over their carriers
+  int slide_rounds = 3;  ///< with vertices pulled to the nearest places of them
   int steps = 25;        ///< of descent in a round
 
   int relaxations = 12;  ///< sweeps over single vertices, between which they are put onto their carriers
