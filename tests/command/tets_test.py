@@ -322,6 +322,26 @@ class WithAFaultyGmsh(TetsTest):
         self.assertIn("warning: box.stl: gmsh makes no tets of it, so the tets were made in another way", result.stderr)
         self.assertEqual(len(TaggedMesh(self.folder / "box.mesh").triangles), 12)
 
+    def test_what_it_has_started_ends_with_it_and_with_the_program(self):
+        script = f"sleep 1000 & echo $! > {self.folder}/process; wait"
+        for end in ("its time", signal.SIGINT, signal.SIGKILL):
+            with self.subTest(end=str(end)):
+                note, deadline = self.folder / "process", time.monotonic() + TIME_LIMIT
+                note.unlink(missing_ok=True)
+                seconds = "0.5" if end == "its time" else "600"
+                process = subprocess.Popen([PROGRAM, "tets", "box.stl", "--by", "gmsh", "--seconds", seconds], cwd=self.folder,
+                                           env=self.with_gmsh(script), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                self.addCleanup(process.kill)
+                while not (note.exists() and note.read_text().endswith("\n")):
+                    self.assertLess(time.monotonic(), deadline)
+                    time.sleep(0.01)
+                if end != "its time":
+                    process.send_signal(end)
+                process.wait(TIME_LIMIT)
+                while os.path.exists(f"/proc/{int(note.read_text())}"):
+                    self.assertLess(time.monotonic(), deadline)
+                    time.sleep(0.01)
+
     def test_an_interrupt_ends_it_and_leaves_nothing(self):
         for command in ("tets", "solve"):
             for number in (signal.SIGINT, signal.SIGTERM):
