@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "crossgrain/types.hpp"
+#include "crossgrain/warning.hpp"
 
 namespace crossgrain {
 
@@ -33,6 +34,8 @@ struct HexMesh {
 
   /// Whether it is a part of its model, or has inverted hexahedra: names and heads of its files say so.
   bool is_partial = false;
+
+  std::vector<Warning> warnings = {};  ///< about the file that was read
 };
 
 /// @}

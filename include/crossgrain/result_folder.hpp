@@ -173,10 +173,20 @@ bool is_clipped_field(const std::filesystem::path& folder);
 inline constexpr const char* kHexahedraFile = "hexahedra.vtu";
 inline constexpr const char* kPartialHexahedraFile = "hexahedra.partial.vtu";
 
-/// Reads what `write_hexahedra` has written to a .vtu file, to the bit but for the unit, which the file does
-/// not tell; or the hexahedra in a folder (OutputOptions::hexahedra), whole or partial, with the unit of its
-/// report. If the file is of an earlier version, which did not list the boundary, that has no tags. Throws
-/// Error(kInput), also for a folder without hexahedra.
+/// Reads the hexahedra in the folder of a result (OutputOptions::hexahedra), whole or partial, with the unit
+/// of its report; or a file of any mesher. The extension, in either case, names the format: Medit (.mesh in
+/// text, .meshb in binary), Gmsh (.msh, version 2 or 4.1), VTK (.vtk, .vtu) or an input file of Abaqus and
+/// CalculiX
+/// (.inp), in text or binary; each of them may be packed by gzip (.msh.gz).
+///
+/// What `write_hexahedra` has written to a .vtu file is restored to the bit but for the unit, which no file
+/// tells. Of other files vertices of no hexahedron are left out; meshes of left-handed hexahedra are turned
+/// right-handed, and hexahedra of higher order read by their corners, both with a warning. Regions are
+/// reference numbers (Medit), physical groups or else entities (Gmsh), an array of cell data (VTK) or sets
+/// (.inp), as for `read_tets`; faces of the boundary have the tags of the quads that the file lists on them.
+///
+/// Throws Error(kInput) naming the file, the place in it and the remedy; also for files without hexahedra or
+/// with other solid elements, and for a folder without hexahedra.
 HexMesh read_hexahedra(const std::filesystem::path& path);
 
 /// Default name of the file that `crossgrain streamlines` writes to the folder of a field.

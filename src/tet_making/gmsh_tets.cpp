@@ -144,7 +144,7 @@ class GmshTets : public TetProgram {
   TetMesh result_in(const PrivateFolder& folder, const HelperRun& run, const HelperOutcome& outcome) const {
     const std::string error = first_error(outcome.answer);
     try {
-      TetMesh mesh = read_gmsh(InputFile(folder.path() / kResult));
+      TetMesh mesh = tets_of(InputFile(folder.path() / kResult), read_gmsh);
       if (error.empty()) return mesh;
     } catch (const Error& unreadable) {
       if (unreadable.kind() != ErrorKind::kInput) throw;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/made_inputs.hpp"
 #include "crossgrain/result_folder.hpp"
+#include "crossgrain/writing.hpp"
 
 #include <fmt/format.h>
 
@@ -57,6 +58,48 @@ std::vector<std::string> made_medit_binary() {
     for (const bool swapped : {false, true})
       out.push_back(medit_binary(small_tet_mesh(), version, swapped).content);
   return out;
+}
+
+/// A mesh as `write_hexahedra` writes it, and one of another program.
+std::vector<std::string> made_hexahedra(const char* name, std::string other) {
+  const TemporaryFolder folder;
+  write_hexahedra(made_bricks({2, 2, 1}, {2, 2, 1}), folder.path() / name);
+  return {content_of(folder.path() / name), std::move(other)};
+}
+
+constexpr const char* kCubePoints = "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1\n";
+
+std::vector<std::string> made_abaqus() {
+  return made_hexahedra(
+      "a.inp",
+      "*HEADING\nmade\n*NODE\n1,0,0,0\n2,1\n3,1,1\n4,0,1\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n"
+      "*ELEMENT, TYPE=C3D20, ELSET=A\n5, 1,2,3,4,5,6,7,8,\n1,2,3,4,5,6,7,8, 1,2,3,4\n"
+      "*ELEMENT, TYPE=S4, ELSET=B\n6, 1,2,3,4\n*ELSET, ELSET=REGION_2, GENERATE\n1, 9, 2\n"
+      "*SURFACE, NAME=FACE_MINUS_3, TYPE=ELEMENT\n5, S6\nA, S1\n*INSTANCE, NAME=a, PART=b\n1,0,0\n");
+}
+
+std::vector<std::string> made_hex_vtk() {
+  const std::string begin =
+      "# vtk DataFile Version 3.0\nmade\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n";
+  return {begin + kCubePoints +
+              "CELLS 2 14\n8 0 1 2 3 4 5 6 7\n4 0 1 2 3\nCELL_TYPES 2\n12 9\n"
+              "CELL_DATA 2\nSCALARS tag int\nLOOKUP_TABLE default\n7 8\n",
+          begin + kCubePoints + "CELLS 1 9\n8 0 1 3 2 4 5 7 6\nCELL_TYPES 1\n11\n"};
+}
+
+std::vector<std::string> made_hex_gmsh() {
+  return made_hexahedra(
+      "a.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+      "5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n2\n1 3 2 4 4 1 2 3 4\n"
+      "2 5 2 3 3 5 6 7 8 1 2 3 4\n$EndElements\n");
+}
+
+std::vector<std::string> made_hex_medit() {
+  return made_hexahedra(
+      "a.mesh",
+      "Hexahedra 1\n1 2 3 4 5 6 7 8 2\nQuadrilaterals 1\n1 2 3 4 9\nVertices 8\n0 0 0 0\n1 0 0 0\n"
+      "1 1 0 0\n0 1 0 0\n0 0 1 0\n1 0 1 0\n1 1 1 0\n0 1 1 0\nEnd\n");
 }
 
 std::vector<std::string> made_vtu_data() {
@@ -312,6 +355,10 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};
   if (reader == "constraints") return made_constraints();
+  if (reader == "hex_medit") return made_hex_medit();
+  if (reader == "hex_gmsh") return made_hex_gmsh();
+  if (reader == "hex_vtk") return made_hex_vtk();
+  if (reader == "abaqus") return made_abaqus();
   if (reader == "cad") return made_cad();
   if (reader == "cad_answer") return made_cad_answers();
   if (reader == "netgen_answer") return made_netgen_answers();

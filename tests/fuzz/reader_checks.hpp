@@ -32,6 +32,9 @@ ReaderCheck check_threemf, check_freecad;
 
 ReaderCheck check_stl, check_obj, check_ply, check_off;
 ReaderCheck check_medit, check_medit_binary, check_gmsh, check_vtk, check_vtu;
+
+/// The same formats, and .inp, read for hexahedra.
+ReaderCheck check_hex_medit, check_hex_gmsh, check_hex_vtk, check_abaqus;
 /// One array of a .vtu file, which is inflated here whatever the XML around it says: the first byte tells how
 /// it is packed (VtuDataFlags), the others are the array.
 ReaderCheck check_vtu_data;

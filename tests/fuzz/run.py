@@ -38,6 +38,10 @@ EXTENSIONS = {
     "gmsh": {".msh"},
     "vtk": {".vtk"},
     "vtu": {".vtu"},
+    "hex_medit": {".mesh"},
+    "hex_gmsh": {".msh"},
+    "hex_vtk": {".vtk"},
+    "abaqus": {".inp"},
 }
 
 # Readers go on as they began: longer files take time and show nothing more. A field needs more than the others.
@@ -84,6 +88,8 @@ def run_once(reader, seconds, options, memory_folder, log_path):
         str(options.work / "seeds" / reader),
     ]
     dictionary = HERE / "dictionaries" / f"{reader}.dict"
+    if reader.startswith("hex_") and not dictionary.exists():
+        dictionary = HERE / "dictionaries" / f"{reader.removeprefix('hex_')}.dict"
     if dictionary.exists():
         command.insert(1, f"-dict={dictionary}")
     # The quarantine of freed memory would count as memory of the reader.

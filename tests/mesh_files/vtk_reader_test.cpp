@@ -110,7 +110,7 @@ TEST(VtkReader, ShowsNamesOfArraysAsOnePrintableLine) {
 
 TEST(VtkReader, RefusesOtherDataSetsAndFiles) {
   expect_tet_error(text("# vtk DataFile Version 3.0\nmade\nASCII\nDATASET POLYDATA\n"),
-                   "4: DATASET 'POLYDATA', but tets must be in an UNSTRUCTURED_GRID");
+                   "4: DATASET 'POLYDATA', but a mesh must be an UNSTRUCTURED_GRID");
   expect_tet_error(text("# vtk DataFile Version 7.0\nmade\nASCII\n"),
                    "the version cannot be read, unlike 4.2 and 5.1; export it again");
   expect_tet_error(text("anything\n"), "this is not a VTK file");

@@ -44,17 +44,25 @@ std::string error_of_reading(const std::filesystem::path& path) {
   return "";
 }
 
-/// A file with these cells, as older versions wrote them: without a list of the boundary.
+/// A file with these cells, which lists one face of the boundary or, as older versions wrote it, none.
 std::filesystem::path file_of_cells(const TemporaryFolder& folder, const std::vector<Vector3>& points,
                                     const std::vector<std::int32_t>& connectivity,
                                     const std::vector<std::int32_t>& offsets,
                                     const std::vector<std::uint8_t>& types,
-                                    const std::vector<std::int32_t>& regions = {}) {
+                                    const std::vector<std::int32_t>& regions = {},
+                                    bool has_boundary = false) {
   std::vector<VtuArray> arrays{points_array(points.size(), [&](std::size_t i) { return points[i]; }),
                                stored_array(VtuSection::kCells, "connectivity", connectivity),
                                stored_array(VtuSection::kCells, "offsets", offsets),
                                stored_array(VtuSection::kCells, "types", types)};
   if (!regions.empty()) arrays.push_back(stored_array(VtuSection::kCellData, "region", regions));
+  const std::vector<std::int32_t> tags{5};
+  const std::vector<std::array<std::int32_t, 4>> quads{{0, 2, 3, 1}};
+  if (has_boundary) {
+    arrays.push_back(row_array<std::int32_t>(VtuSection::kFieldData, "boundary", 4, quads.size(),
+                                             [&](std::size_t i) { return quads[i]; }));
+    arrays.push_back(stored_array(VtuSection::kFieldData, "boundary_tag", tags));
+  }
   const auto path = folder.path() / "cells.vtu";
   OutputFile file(path);
   write_vtu(file, points.size(), types.size(), arrays);
@@ -99,7 +107,7 @@ TEST(ReadHexahedra, RefusesArraysThatMakeNoHexahedra) {
   const auto error_of = [&](const std::vector<std::int32_t>& corners,
                             const std::vector<std::int32_t>& offsets,
                             const std::vector<std::uint8_t>& types) {
-    return error_of_reading(file_of_cells(folder, mesh.vertices, corners, offsets, types));
+    return error_of_reading(file_of_cells(folder, mesh.vertices, corners, offsets, types, {}, true));
   };
   const std::vector<std::int32_t> sound{0, 1, 3, 2, 4, 5, 7, 6};
   EXPECT_EQ(error_of(sound, {8}, {12}), "");

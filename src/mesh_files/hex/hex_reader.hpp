@@ -7,7 +7,7 @@
 
 namespace crossgrain {
 
-/// Reads a .vtu file of `write_hexahedra`; its unit is not told. Throws Error(kInput).
+/// Reads hexahedra of any mesher from a file, whose extension names the format. Throws Error(kInput).
 HexMesh read_hexahedra_file(const std::filesystem::path& path);
 
 }  // namespace crossgrain

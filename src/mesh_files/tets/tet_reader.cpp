@@ -10,6 +10,7 @@
 #include "archives/gzip.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/reading.hpp"
+#include "mesh_files/tets/tet_builder.hpp"
 #include "text/file_signature.hpp"
 #include "text/text_scanner.hpp"
 
@@ -18,12 +19,13 @@ namespace {
 
 struct TetFormat {
   std::string_view extension;
-  TetMesh (*read)(const InputFile&);
+  CellReader* read;
 };
 
 constexpr std::array kTetFormats = {
-    TetFormat{".mesh", read_medit}, TetFormat{".meshb", read_medit_binary}, TetFormat{".msh", read_gmsh},
-    TetFormat{".vtk", read_vtk},    TetFormat{".vtu", read_vtu_tets},
+    TetFormat{".mesh", read_medit}, TetFormat{".meshb", read_medit_binary},
+    TetFormat{".msh", read_gmsh},   TetFormat{".vtk", read_vtk},
+    TetFormat{".vtu", read_vtu},
 };
 
 const TetFormat* format_of(const std::filesystem::path& path) {
@@ -35,6 +37,12 @@ const TetFormat* format_of(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+TetMesh tets_of(const InputFile& file, CellReader& read) {
+  TetBuilder builder(file);
+  const Place end = read(file, builder);
+  return builder.finish(end);
+}
 
 std::string tet_extensions() {
   std::string list;
@@ -58,7 +66,7 @@ TetMesh read_tets(const std::filesystem::path& path) {
                            in_quotes(unpacked_name(path).extension().string()), tet_extensions()),
                Remedy::kConvertFile);
   try {
-    return format->read(file);
+    return tets_of(file, *format->read);
   } catch (const Error&) {
     fail_if_misnamed(file, format->extension);
     throw;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_files/tets/node_numbers.hpp"
+#include "mesh_files/cells/node_numbers.hpp"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "mesh_files/tets/node_numbers.hpp"
-#include "mesh_files/tets/tet_builder.hpp"
+#include "mesh_files/cells/cell_builder.hpp"
+#include "mesh_files/cells/node_numbers.hpp"
 #include "text/number_stream.hpp"
 
 namespace crossgrain {
@@ -18,8 +18,8 @@ namespace crossgrain {
 class GmshMesh {
  public:
   /// `size_type` is the type of counts and numbers in the binary form of version 4.1.
-  GmshMesh(const InputFile& file, NumberType size_type)
-      : file_(&file), size_type_(size_type), builder_(file) {}
+  GmshMesh(const InputFile& file, NumberType size_type, CellBuilder& builder)
+      : file_(&file), size_type_(size_type), builder_(builder) {}
 
   void read_entities_4(NumberStream& in);
   void read_nodes_4(NumberStream& in);
@@ -30,7 +30,6 @@ class GmshMesh {
   void read_elements_2(NumberStream& in, std::int64_t count);
 
   bool has_nodes() const { return has_nodes_; }
-  TetMesh finish(const Place& end) { return builder_.finish(end); }
 
  private:
   /// From dimension and tag of an entity to its physical group, as in $Entities.
@@ -56,7 +55,7 @@ class GmshMesh {
 
   const InputFile* file_;
   NumberType size_type_;
-  TetBuilder builder_;
+  CellBuilder& builder_;
   NodeNumbers numbers_;
   PhysicalTags physical_tags_;
   bool has_nodes_ = false;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh_files/tets/tet_builder.hpp"
+#include "mesh_files/cells/cell_builder.hpp"
 #include "text/number_stream.hpp"
 
 namespace crossgrain {
@@ -35,8 +35,10 @@ struct MeditNumbers {
 
 class MeditMesh {
  public:
-  explicit MeditMesh(const InputFile& file, MeditNumbers numbers = {})
-      : file_(&file), numbers_(numbers), builder_(file, /*first_index=*/1) {}
+  explicit MeditMesh(const InputFile& file, CellBuilder& builder, MeditNumbers numbers = {})
+      : file_(&file), numbers_(numbers), builder_(builder) {
+    builder_.number_vertices_from(1);
+  }
 
   /// Returns whether rows of a section can be read now: cells need the vertices first.
   bool is_ready_for(const MeditSection& section) const {
@@ -49,18 +51,17 @@ class MeditMesh {
 
   bool has_vertices() const { return has_vertices_; }
 
-  /// Returns the mesh. If there is a section Ridges, only its edges are features, and stated ones. Otherwise
-  /// all Edges are, not stated: Gmsh writes every curve of its model, even seams.
-  TetMesh finish(const Place& end);
+  /// Call when all sections are read. If there is a section Ridges, only its edges are features, and stated
+  /// ones. Otherwise all Edges are, not stated: Gmsh writes every curve of its model, even seams.
+  void finish();
 
  private:
   void read_vertices(NumberStream& rows, std::uint64_t count);
   void read_cells(NumberStream& rows, const MeditSection& section, std::uint64_t count);
-  void keep_ridges(TetMesh& mesh) const;
 
   const InputFile* file_;
   MeditNumbers numbers_;
-  TetBuilder builder_;
+  CellBuilder& builder_;
   bool has_vertices_ = false;
   std::vector<std::int64_t> ridges_;  ///< 1-based numbers of edges
   Place ridges_place_;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "mesh_files/tets/tet_builder.hpp"
+#include "mesh_files/cells/cell_builder.hpp"
 #include "text/number_stream.hpp"
 
 namespace crossgrain {
@@ -34,7 +34,7 @@ struct VtkCells {
 
 /// Adds all cells. The builder must know the points. Throws Error(kInput) naming the cell (or the line) for a
 /// wrong number of points, a point out of range or an unknown cell type.
-void add_vtk_cells(VtkCells cells, TetBuilder& builder);
+void add_vtk_cells(VtkCells cells, CellBuilder& builder);
 
 /// Returns how suitable an array of cell data is, by its name and type, for the tags of cells: less is
 /// better. Nothing if it is unsuitable: arrays must hold one whole number per cell and not be added by VTK

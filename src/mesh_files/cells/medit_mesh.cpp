@@ -1,24 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_files/tets/medit_mesh.hpp"
+#include "mesh_files/cells/medit_mesh.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <span>
-#include <utility>
 
 #include "files/read_memory.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// Maximum number of nodes of a cell that is not a solid of another shape: a tet of degree 4.
+/// Maximum number of nodes of a cell that a builder takes: a tet of degree 4.
 constexpr std::size_t kMostNodes = 35;
 
 /// Converts a 1-based number to a 0-based one. Unsigned, so that the least of 64 bits wraps instead of
 /// overflowing.
 std::int64_t from_zero(std::int64_t number) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(number) - 1);
+}
+
+/// What errors in binary files call a cell.
+const char* unit_of(CellShape shape) {
+  switch (shape) {
+    case CellShape::kTet:
+      return "tet";
+    case CellShape::kHexahedron:
+      return "hexahedron";
+    case CellShape::kQuad:
+      return "quadrilateral";
+    case CellShape::kTriangle:
+      return "triangle";
+    default:
+      return "edge";
+  }
 }
 
 constexpr MeditSection cells(std::string_view keyword, int code, CellShape shape, std::uint8_t nodes,
@@ -36,15 +51,15 @@ constexpr std::array kSections = {
     cells("TetrahedraP2", 30, CellShape::kTet, 10, "tets"),
     cells("TetrahedraP3", 96, CellShape::kTet, 20, "tets"),
     cells("TetrahedraP4", 97, CellShape::kTet, 35, "tets"),
-    cells("Hexahedra", 10, CellShape::kOtherSolid, 8, "hexahedra"),
-    cells("HexahedraQ2", 33, CellShape::kOtherSolid, 27, "hexahedra"),
+    cells("Hexahedra", 10, CellShape::kHexahedron, 8, "hexahedra"),
+    cells("HexahedraQ2", 33, CellShape::kHexahedron, 27, "hexahedra"),
     cells("Prisms", 9, CellShape::kOtherSolid, 6, "prisms"),
     cells("Pentahedra", 0, CellShape::kOtherSolid, 6, "prisms"),
     cells("PrismsP2", 86, CellShape::kOtherSolid, 18, "prisms"),
     cells("Pyramids", 49, CellShape::kOtherSolid, 5, "pyramids"),
     cells("PyramidsP2", 87, CellShape::kOtherSolid, 14, "pyramids"),
-    MeditSection{"Quadrilaterals", 7, 5},
-    MeditSection{"QuadrilateralsQ2", 27, 10},
+    cells("Quadrilaterals", 7, CellShape::kQuad, 4, "quadrilaterals"),
+    cells("QuadrilateralsQ2", 27, CellShape::kQuad, 9, "quadrilaterals"),
     MeditSection{"Corners", 13, 1},
     MeditSection{"Ridges", 14, 1, MeditContent::kRidges},
     MeditSection{"RequiredVertices", 15, 1},
@@ -108,43 +123,23 @@ void MeditMesh::read_vertices(NumberStream& rows, std::uint64_t count) {
 
 void MeditMesh::read_cells(NumberStream& rows, const MeditSection& section, std::uint64_t count) {
   const CellType& type = section.cell;
-  if (type.shape == CellShape::kOtherSolid) {
-    builder_.count_other_solids(type, count, rows.place(section.keyword.data(), 0));
+  if (!builder_.takes(type.shape)) {
+    if (is_solid(type.shape)) builder_.count_other_solids(type, count, rows.place(section.keyword.data(), 0));
     return rows.skip(numbers_.integer, count * static_cast<std::uint64_t>(section.columns));
   }
-  if (type.shape == CellShape::kTet) builder_.reserve_tets(count);
-  const char* const unit = type.shape == CellShape::kTet        ? "tet"
-                           : type.shape == CellShape::kTriangle ? "triangle"
-                                                                : "edge";
+  if (type.shape == builder_.solid()) builder_.reserve_solids(count);
   std::array<std::int64_t, kMostNodes> nodes;
   for (std::uint64_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < type.nodes; ++k)
       nodes[k] = from_zero(rows.integer(numbers_.integer, "the number of a vertex"));
-    const Place place = rows.place(unit, i);
+    const Place place = rows.place(unit_of(type.shape), i);
     const std::int64_t tag = rows.integer(numbers_.integer, "the reference number of a cell");
     builder_.add_cell(type, std::span(nodes).first(type.nodes), tag, place, /*is_stated=*/false);
   }
 }
 
-void MeditMesh::keep_ridges(TetMesh& mesh) const {
-  if (ridges_.empty()) return;
-  std::vector<TetMesh::Edge> kept;
-  kept.reserve(ridges_.size());
-  for (const std::int64_t number : ridges_) {
-    if (number < 1 || static_cast<std::uint64_t>(number) > mesh.feature_edges.size())
-      fail_input(*file_, ridges_place_,
-                 fmt::format("Ridges name edge {}, but there are {} Edges, numbered from 1", number,
-                             mesh.feature_edges.size()));
-    kept.push_back(mesh.feature_edges[static_cast<std::size_t>(number - 1)]);
-    kept.back().is_stated = true;
-  }
-  mesh.feature_edges = std::move(kept);
-}
-
-TetMesh MeditMesh::finish(const Place& end) {
-  TetMesh mesh = builder_.finish(end);
-  keep_ridges(mesh);
-  return mesh;
+void MeditMesh::finish() {
+  if (!ridges_.empty()) builder_.choose_edges(ridges_, ridges_place_);
 }
 
 }  // namespace crossgrain

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads tets from VTK XML files of unstructured grids (.vtu) of any writer.
+// Reads cells from VTK XML files of unstructured grids (.vtu) of any writer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh_files/tets/tet_builder.hpp"
-#include "mesh_files/tets/tet_reader.hpp"
-#include "mesh_files/tets/vtk_cells.hpp"
+#include "mesh_files/cells/cell_builder.hpp"
+#include "mesh_files/cells/cell_reader.hpp"
+#include "mesh_files/cells/vtk_cells.hpp"
 #include "text/text_scanner.hpp"
 #include "vtu/array_names.hpp"
 #include "vtu/vtu_header.hpp"
@@ -22,11 +22,11 @@ namespace {
 
 using DataArray = VtuHeader::Array;
 
-class VtuTetReader {
+class VtuCellReader {
  public:
-  explicit VtuTetReader(const InputFile& file) : file_(&file), builder_(file) {}
+  VtuCellReader(const InputFile& file, CellBuilder& builder) : file_(&file), builder_(builder) {}
 
-  TetMesh read() {
+  void read() {
     read_header();
     if (const DataArray* schema = header_.find(VtuSection::kFieldData, field_arrays::kSchema))
       fail(schema->begin, "a frame field written by crossgrain, not a mesh", Remedy::kGiveModel);
@@ -34,7 +34,6 @@ class VtuTetReader {
       fail(file_->bytes().size(), "<Piece> with cells is missing: cut short, or empty", Remedy::kExportAgain);
     add_points();
     add_cells();
-    return builder_.finish({});
   }
 
  private:
@@ -148,7 +147,7 @@ class VtuTetReader {
   static constexpr std::uint64_t kMostNumbersAByte = 1040;
 
   const InputFile* file_;
-  TetBuilder builder_;
+  CellBuilder& builder_;
   VtuHeader header_;
   std::string_view appended_;
   std::vector<std::unique_ptr<std::string>> unpacked_;
@@ -156,8 +155,9 @@ class VtuTetReader {
 
 }  // namespace
 
-TetMesh read_vtu_tets(const InputFile& file) {
-  return VtuTetReader(file).read();
+Place read_vtu(const InputFile& file, CellBuilder& builder) {
+  VtuCellReader(file, builder).read();
+  return {};
 }
 
 }  // namespace crossgrain

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_files/tets/gmsh_mesh.hpp"
+#include "mesh_files/cells/gmsh_mesh.hpp"
 
 #include <fmt/format.h>
 
 #include <span>
 
 #include "files/read_memory.hpp"
-#include "mesh_files/tets/gmsh_elements.hpp"
+#include "mesh_files/cells/gmsh_elements.hpp"
 
 namespace crossgrain {
 namespace {
@@ -111,8 +111,8 @@ const CellType& GmshMesh::element_type(NumberStream& in) const {
 void GmshMesh::read_element_nodes(NumberStream& in, NumberType type, const CellType& element,
                                   const Tag& tag) {
   const Place place = in.place("element", elements_++);
-  const std::size_t corners = corners_of(element.shape);
-  std::array<std::int64_t, 4> nodes;
+  const std::size_t corners = builder_.nodes_needed(element);
+  std::array<std::int64_t, 8> nodes;
   for (std::size_t k = 0; k < corners; ++k) {
     const std::int64_t number = in.integer(type, "the number of a node");
     const auto node = numbers_.index_of(number);
@@ -136,7 +136,7 @@ void GmshMesh::read_elements_4(NumberStream& in) {
                                      "the number of elements of an entity");
     const auto found = physical_tags_.find({dimension, entity});
     const Tag tag = found == physical_tags_.end() ? Tag{entity, false} : Tag{found->second, true};
-    if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
+    if (type.shape == builder_.solid()) builder_.reserve_solids(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
       in.skip(size_type_, 1);  // number of the element
       read_element_nodes(in, size_type_, type, tag);
@@ -180,7 +180,7 @@ void GmshMesh::read_elements_2_binary(NumberStream& in, std::uint64_t elements) 
     const std::uint64_t tags = count(in, kInt, 1, kInt, "the number of tags");
     if (rows == 0 || rows > elements - elements_)
       in.fail(fmt::format("elements: {} here and {} expected", rows, elements - elements_));
-    if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
+    if (type.shape == builder_.solid()) builder_.reserve_solids(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
       in.skip(kInt, 1);  // number of the element
       const Tag tag = read_tags_2(in, tags);

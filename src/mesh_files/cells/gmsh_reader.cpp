@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "mesh_files/tets/gmsh_mesh.hpp"
-#include "mesh_files/tets/tet_reader.hpp"
+#include "mesh_files/cells/cell_reader.hpp"
+#include "mesh_files/cells/gmsh_mesh.hpp"
 #include "text/text_scanner.hpp"
 
 namespace crossgrain {
@@ -26,9 +26,9 @@ class GmshReader {
  public:
   explicit GmshReader(const InputFile& file) : file_(&file), scanner_(file, {}) {}
 
-  TetMesh read() {
+  Place read(CellBuilder& builder) {
     read_format();
-    GmshMesh mesh(*file_, format_.size_type);
+    GmshMesh mesh(*file_, format_.size_type, builder);
     bool has_elements = false;
     for (std::string name = next_section(); !name.empty(); name = next_section()) {
       if (name == "Nodes" && mesh.has_nodes()) fail("a second section $Nodes");
@@ -39,7 +39,7 @@ class GmshReader {
     if (!mesh.has_nodes() || !has_elements)
       fail(fmt::format("the section {} is missing: cut short", mesh.has_nodes() ? "$Elements" : "$Nodes"),
            Remedy::kCopyAgain);
-    return mesh.finish(format_.is_binary ? Place{} : scanner_.place());
+    return format_.is_binary ? Place{} : scanner_.place();
   }
 
  private:
@@ -167,8 +167,8 @@ class GmshReader {
 
 }  // namespace
 
-TetMesh read_gmsh(const InputFile& file) {
-  return GmshReader(file).read();
+Place read_gmsh(const InputFile& file, CellBuilder& builder) {
+  return GmshReader(file).read(builder);
 }
 
 }  // namespace crossgrain

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_files/tets/vtk_cells.hpp"
+#include "mesh_files/cells/vtk_cells.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <span>
+#include <utility>
 
 namespace crossgrain {
 namespace {
+
+/// A box of an image, whose corners are not in the order of a hexahedron: 3 before 2, and 7 before 6.
+constexpr int kVoxel = 11;
 
 // vtkCellType.h. Lagrange and Bezier cells (68 to 81) have as many points as their degree requires.
 constexpr std::array kVtkTypes = {
@@ -19,28 +23,28 @@ constexpr std::array kVtkTypes = {
     CellType{5, CellShape::kTriangle, 3, "triangles"},
     CellType{6, CellShape::kPassedOver, 0, "strips"},
     CellType{7, CellShape::kPassedOver, 0, "polygons"},
-    CellType{8, CellShape::kPassedOver, 4, "pixels"},
-    CellType{9, CellShape::kPassedOver, 4, "quads"},
+    CellType{8, CellShape::kQuad, 4, "pixels"},
+    CellType{9, CellShape::kQuad, 4, "quads"},
     CellType{10, CellShape::kTet, 4, "tets"},
-    CellType{11, CellShape::kOtherSolid, 8, "voxels"},
-    CellType{12, CellShape::kOtherSolid, 8, "hexahedra"},
+    CellType{kVoxel, CellShape::kHexahedron, 8, "voxels"},
+    CellType{12, CellShape::kHexahedron, 8, "hexahedra"},
     CellType{13, CellShape::kOtherSolid, 6, "wedges"},
     CellType{14, CellShape::kOtherSolid, 5, "pyramids"},
     CellType{15, CellShape::kOtherSolid, 10, "pentagonal prisms"},
     CellType{16, CellShape::kOtherSolid, 12, "hexagonal prisms"},
     CellType{21, CellShape::kEdge, 3, "lines"},
     CellType{22, CellShape::kTriangle, 6, "triangles"},
-    CellType{23, CellShape::kPassedOver, 8, "quads"},
+    CellType{23, CellShape::kQuad, 8, "quads"},
     CellType{24, CellShape::kTet, 10, "tets"},
-    CellType{25, CellShape::kOtherSolid, 20, "hexahedra"},
+    CellType{25, CellShape::kHexahedron, 20, "hexahedra"},
     CellType{26, CellShape::kOtherSolid, 15, "wedges"},
     CellType{27, CellShape::kOtherSolid, 13, "pyramids"},
-    CellType{28, CellShape::kPassedOver, 9, "quads"},
-    CellType{29, CellShape::kOtherSolid, 27, "hexahedra"},
-    CellType{30, CellShape::kPassedOver, 6, "quads"},
+    CellType{28, CellShape::kQuad, 9, "quads"},
+    CellType{29, CellShape::kHexahedron, 27, "hexahedra"},
+    CellType{30, CellShape::kQuad, 6, "quads"},
     CellType{31, CellShape::kOtherSolid, 12, "wedges"},
     CellType{32, CellShape::kOtherSolid, 18, "wedges"},
-    CellType{33, CellShape::kOtherSolid, 24, "hexahedra"},
+    CellType{33, CellShape::kHexahedron, 24, "hexahedra"},
     CellType{34, CellShape::kTriangle, 7, "triangles"},
     CellType{35, CellShape::kEdge, 4, "lines"},
     CellType{36, CellShape::kPassedOver, 0, "polygons"},
@@ -49,16 +53,16 @@ constexpr std::array kVtkTypes = {
     CellType{42, CellShape::kOtherSolid, 0, "polyhedra"},
     CellType{68, CellShape::kEdge, 0, "lines"},
     CellType{69, CellShape::kTriangle, 0, "triangles"},
-    CellType{70, CellShape::kPassedOver, 0, "quads"},
+    CellType{70, CellShape::kQuad, 0, "quads"},
     CellType{71, CellShape::kTet, 0, "tets"},
-    CellType{72, CellShape::kOtherSolid, 0, "hexahedra"},
+    CellType{72, CellShape::kHexahedron, 0, "hexahedra"},
     CellType{73, CellShape::kOtherSolid, 0, "wedges"},
     CellType{74, CellShape::kOtherSolid, 0, "pyramids"},
     CellType{75, CellShape::kEdge, 0, "lines"},
     CellType{76, CellShape::kTriangle, 0, "triangles"},
-    CellType{77, CellShape::kPassedOver, 0, "quads"},
+    CellType{77, CellShape::kQuad, 0, "quads"},
     CellType{78, CellShape::kTet, 0, "tets"},
-    CellType{79, CellShape::kOtherSolid, 0, "hexahedra"},
+    CellType{79, CellShape::kHexahedron, 0, "hexahedra"},
     CellType{80, CellShape::kOtherSolid, 0, "wedges"},
     CellType{81, CellShape::kOtherSolid, 0, "pyramids"},
 };
@@ -70,15 +74,15 @@ const CellType* type_of(std::int64_t code) {
   return nullptr;
 }
 
-/// Memory for tets is reserved at once; lists of a million cells would otherwise be copied about twenty
+/// Memory for solids is reserved at once; lists of a million cells would otherwise be copied about twenty
 /// times.
-std::size_t tets_among(VtkNumbers types, std::uint64_t count) {
-  std::size_t tets = 0;
+std::size_t solids_among(VtkNumbers types, std::uint64_t count, CellShape solid) {
+  std::size_t solids = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
     const CellType* type = type_of(types.next("the type of a cell"));
-    if (type != nullptr && type->shape == CellShape::kTet) ++tets;
+    if (type != nullptr && type->shape == solid) ++solids;
   }
-  return tets;
+  return solids;
 }
 
 class CellSizes {
@@ -108,10 +112,10 @@ void check_size(const VtkNumbers& points, const CellType& type, std::int64_t siz
 
 }  // namespace
 
-void add_vtk_cells(VtkCells cells, TetBuilder& builder) {
-  builder.reserve_tets(tets_among(cells.types, cells.count));
+void add_vtk_cells(VtkCells cells, CellBuilder& builder) {
+  builder.reserve_solids(solids_among(cells.types, cells.count, builder.solid()));
   CellSizes sizes(cells);
-  std::array<std::int64_t, 4> nodes;
+  std::array<std::int64_t, 8> nodes{};
   for (std::uint64_t i = 0; i < cells.count; ++i) {
     const std::int64_t code = cells.types.next("the type of a cell");
     const CellType* type = type_of(code);
@@ -119,8 +123,12 @@ void add_vtk_cells(VtkCells cells, TetBuilder& builder) {
       cells.types.stream.fail(fmt::format("cell {} has the unknown type {}", i, code), Remedy::kCutIntoTets);
     const std::int64_t size = sizes.next();
     check_size(cells.points, *type, size);
-    const std::size_t corners = corners_of(type->shape);
+    const std::size_t corners = builder.nodes_needed(*type);
     for (std::size_t k = 0; k < corners; ++k) nodes[k] = cells.points.next("the number of a point");
+    if (code == kVoxel) {
+      std::swap(nodes[2], nodes[3]);
+      std::swap(nodes[6], nodes[7]);
+    }
     const Place place = cells.points.stream.place("cell", i);
     cells.points.stream.skip(cells.points.type, static_cast<std::uint64_t>(size) - corners);
     std::optional<std::int64_t> tag;

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh_files/tets/medit_mesh.hpp"
-#include "mesh_files/tets/tet_reader.hpp"
+#include "mesh_files/cells/cell_reader.hpp"
+#include "mesh_files/cells/medit_mesh.hpp"
 #include "text/text_scanner.hpp"
 
 namespace crossgrain {
@@ -22,9 +22,10 @@ bool begins_like_a_keyword(std::string_view word) {
 
 class MeditReader {
  public:
-  explicit MeditReader(const InputFile& file) : scanner_(file, {.comments = true}), mesh_(file) {}
+  MeditReader(const InputFile& file, CellBuilder& builder)
+      : scanner_(file, {.comments = true}), mesh_(file, builder) {}
 
-  TetMesh read() {
+  Place read() {
     std::string_view word = scanner_.word_anywhere();
     if (medit_section_named(word) == nullptr && !is_header(word))
       scanner_.fail(
@@ -36,7 +37,8 @@ class MeditReader {
     if (!mesh_.has_vertices())
       scanner_.fail("the section Vertices is missing: cut short", Remedy::kCopyAgain);
     for (Rows& rows : postponed_) mesh_.read_rows(rows.stream, *rows.section, rows.count);
-    return mesh_.finish(scanner_.place());
+    mesh_.finish();
+    return scanner_.place();
   }
 
  private:
@@ -102,8 +104,8 @@ class MeditReader {
 
 }  // namespace
 
-TetMesh read_medit(const InputFile& file) {
-  return MeditReader(file).read();
+Place read_medit(const InputFile& file, CellBuilder& builder) {
+  return MeditReader(file, builder).read();
 }
 
 }  // namespace crossgrain

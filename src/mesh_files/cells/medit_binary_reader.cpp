@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh_files/tets/medit_mesh.hpp"
-#include "mesh_files/tets/tet_reader.hpp"
+#include "mesh_files/cells/cell_reader.hpp"
+#include "mesh_files/cells/medit_mesh.hpp"
 
 namespace crossgrain {
 namespace {
@@ -35,8 +35,8 @@ class MeditBinaryReader {
     find_sections(stream);
   }
 
-  TetMesh read() {
-    MeditMesh mesh(*file_, numbers_);
+  void read(CellBuilder& builder) {
+    MeditMesh mesh(*file_, builder, numbers_);
     for (const bool vertices : {true, false}) {
       for (Rows& rows : sections_) {
         const bool now = (rows.section->content == MeditContent::kVertices) == vertices;
@@ -44,7 +44,7 @@ class MeditBinaryReader {
       }
       if (!mesh.has_vertices()) fail_input(*file_, {}, "no vertices");
     }
-    return mesh.finish({});
+    mesh.finish();
   }
 
  private:
@@ -107,8 +107,9 @@ class MeditBinaryReader {
 
 }  // namespace
 
-TetMesh read_medit_binary(const InputFile& file) {
-  return MeditBinaryReader(file).read();
+Place read_medit_binary(const InputFile& file, CellBuilder& builder) {
+  MeditBinaryReader(file).read(builder);
+  return {};
 }
 
 }  // namespace crossgrain

@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-#include "mesh_files/tets/tet_builder.hpp"
-#include "mesh_files/tets/tet_reader.hpp"
-#include "mesh_files/tets/vtk_cells.hpp"
+#include "mesh_files/cells/cell_builder.hpp"
+#include "mesh_files/cells/cell_reader.hpp"
+#include "mesh_files/cells/vtk_cells.hpp"
 #include "text/text_scanner.hpp"
 
 namespace crossgrain {
@@ -52,9 +52,10 @@ constexpr std::array kAttributes = {
 
 class VtkReader {
  public:
-  explicit VtkReader(const InputFile& file) : file_(&file), scanner_(file, {}), builder_(file) {}
+  VtkReader(const InputFile& file, CellBuilder& builder)
+      : file_(&file), scanner_(file, {}), builder_(builder) {}
 
-  TetMesh read() {
+  void read() {
     read_header();
     for (std::string_view keyword = next_keyword(); !keyword.empty(); keyword = next_keyword()) {
       if (!read_part(keyword)) break;
@@ -68,7 +69,6 @@ class VtkReader {
     if (cell_count_ != type_count_) fail(fmt::format("{} CELLS and {} CELL_TYPES", cell_count_, type_count_));
     add_points();
     add_vtk_cells({cell_count_, *connectivity_, ends_, *types_, tags_}, builder_);
-    return builder_.finish({});
   }
 
  private:
@@ -123,7 +123,7 @@ class VtkReader {
   void read_dataset() {
     const std::string_view kind = scanner_.word();
     if (!equals_ignoring_case(kind, "UNSTRUCTURED_GRID"))
-      fail(fmt::format("DATASET {}, but tets must be in an UNSTRUCTURED_GRID", in_quotes(kind)),
+      fail(fmt::format("DATASET {}, but a mesh must be an UNSTRUCTURED_GRID", in_quotes(kind)),
            Remedy::kExportAgain);
   }
 
@@ -307,7 +307,7 @@ class VtkReader {
 
   const InputFile* file_;
   TextScanner scanner_;
-  TetBuilder builder_;
+  CellBuilder& builder_;
   bool is_binary_ = false, new_cells_ = false, in_cell_data_ = false;
   std::uint64_t point_count_ = 0, cell_count_ = 0, type_count_ = 0;
   std::uint64_t rows_ = 0;  ///< of the current point or cell data
@@ -317,8 +317,9 @@ class VtkReader {
 
 }  // namespace
 
-TetMesh read_vtk(const InputFile& file) {
-  return VtkReader(file).read();
+Place read_vtk(const InputFile& file, CellBuilder& builder) {
+  VtkReader(file, builder).read();
+  return {};
 }
 
 }  // namespace crossgrain
