@@ -108,6 +108,12 @@ void check_hex(SolveArguments& arguments, const CLI::App* command) {
   arguments.makes_tets = !is_tet_file(arguments.model);
 }
 
+void check_fit(SolveArguments& arguments, const CLI::App* command) {
+  if (arguments.mesh.empty()) refuse("MESH is empty", command);
+  check_model(arguments, arguments.glue, command, "the folder of -o", ".fitted");
+  refuse_file_name(arguments.output, "the mesh in hexahedra.inp, .mesh, .msh and .vtu", command);
+}
+
 void check_arguments(const SpectrumArguments& arguments, const CLI::App* command) {
   if (arguments.preset.empty() && arguments.normals.empty())
     refuse("give a file of normals or --preset", command);
@@ -209,6 +215,10 @@ Arguments parse_arguments(int argc, char** argv) {
   if (*line.hex_command) {
     check_hex(line.hex, line.hex_command);
     return line.hex;
+  }
+  if (*line.fit_command) {
+    check_fit(line.fit, line.fit_command);
+    return line.fit;
   }
   if (*line.help_command) {
     // App::help would print that of the command that was parsed.

@@ -38,7 +38,9 @@ struct SolveArguments {
   bool prepare = false;  ///< whether tets are split for a map
   OutputOptions output_options;
   bool page = true;  ///< whether to write report.html
-  /// Whether and how to make hexahedra, as `hex` does; `options` and `tags` replace its own.
+  std::string mesh;  ///< file of hexahedra that are put onto the model, as `fit` does; empty for none
+
+  /// Whether and how to make hexahedra, as `hex` does; `options` and `tags` replace its own. Of a `fit` too.
   std::optional<HexMeshingOptions> hexahedra;
   bool accepts_approximate = false;  ///< whether hexahedra that are HexOutcome::kApproximate will do
   bool repair = false;               ///< whether to repair the matchings of the field on tets

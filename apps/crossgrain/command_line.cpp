@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* kExitCodes =
     "0 done; 1 a fault of the program; 2 wrong usage; 3 bad input; 4 output cannot be written; 5 a limit of "
-    "memory, time or sweeps; 6 hex: the best mesh is not what was asked for; 130 interrupted. The help of a "
+    "memory, time or sweeps; 6 and 7 hex and fit: the best mesh is not what was asked for; 130 interrupted. "
+    "The help of a "
     "command says more";
 
 constexpr const char* kExitCodesOfProcesses =
@@ -31,6 +32,7 @@ CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgra
   app.require_subcommand(0, 1);
   solve_command = add_solve(app, solve);
   hex_command = add_hex(app, hex);
+  fit_command = add_fit(app, fit);
   tets_command = add_tets(app, tets);
   sample_command = add_sample(app, sample);
   spectrum_command = add_spectrum(app, spectrum);

@@ -18,6 +18,7 @@ struct CommandLine {
 
   SolveArguments solve;
   SolveArguments hex;
+  SolveArguments fit;
   TetsArguments tets;
   SampleArguments sample;
   SpectrumArguments spectrum;
@@ -30,6 +31,7 @@ struct CommandLine {
   CLI::App app;
   CLI::App* solve_command;
   CLI::App* hex_command;
+  CLI::App* fit_command;
   CLI::App* tets_command;
   CLI::App* sample_command;
   CLI::App* spectrum_command;

@@ -14,6 +14,8 @@ namespace crossgrain::app {
 CLI::App* add_solve(CLI::App& app, SolveArguments& arguments);
 /// `hex`, a solve on tets with hexahedra.
 CLI::App* add_hex(CLI::App& app, SolveArguments& arguments);
+/// `fit`, whose arguments are those of `hex` with a mesh.
+CLI::App* add_fit(CLI::App& app, SolveArguments& arguments);
 CLI::App* add_tets(CLI::App& app, TetsArguments& arguments);
 CLI::App* add_sample(CLI::App& app, SampleArguments& arguments);
 CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments);

@@ -37,16 +37,7 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
   add_run_options(*command, arguments);
   add_keep_tags(*command, arguments.tags);
   add_formats(*command, arguments.output_options, /*has_map=*/true);
-  command->add_flag(
-      "--inverted", arguments.output_options.inverted_hexahedra,
-      "Write files for solvers (.inp, .msh, .mesh) even if hexahedra are inverted (turned inside "
-      "out), with which solvers give wrong results");
-  command
-      ->add_option_function<std::string>(
-          "--accept", [&arguments](const std::string&) { arguments.accepts_approximate = true; },
-          "End with exit code 0 although hexahedra lack features of the model or are off its surface")
-      ->type_name("approximate")
-      ->check([](const std::string& text) { return fault_of_choice(text, {"approximate"}); });
+  add_outcomes(*command, arguments);
   add_talk(*command, arguments);
   return command;
 }

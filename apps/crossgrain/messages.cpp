@@ -17,8 +17,9 @@ constexpr unsigned bit(Command command) {
 }
 
 constexpr unsigned kSolve = bit(Command::kSolve) | bit(Command::kProcesses), kHex = bit(Command::kHex),
-                   kTets = bit(Command::kTets), kOther = bit(Command::kOther), kFolders = kSolve | kHex,
-                   kModels = kFolders | kTets, kAll = kModels | kOther;
+                   kFit = bit(Command::kFit), kTets = bit(Command::kTets), kOther = bit(Command::kOther),
+                   kFolders = kSolve | kHex, kWritten = kFolders | kFit, kModels = kWritten | kTets,
+                   kAll = kModels | kOther;
 
 struct OptionWords {
   Remedy remedy;
@@ -46,7 +47,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kMoveCheckpoint,
      "free some space, or choose another disk with --checkpoint; what it held is kept",
      bit(Command::kProcesses)},
-    {Remedy::kKeepTags, "--keep-tags follows them all the same", kFolders},
+    {Remedy::kKeepTags, "--keep-tags follows them all the same", kWritten},
     {Remedy::kTurnView, "choose another --view or --cut", kOther},
     {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' or 'crossgrain hex' has written", kAll},
     {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", kAll},
@@ -56,8 +57,8 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kFreeSpace, "free some space, or choose another disk with -o", kAll},
     {Remedy::kMakeFolder, "make that folder, or choose another with -o", kAll},
     {Remedy::kCheckOutputDisk, "check the disk, or choose another place with -o", kAll},
-    {Remedy::kChooseFolder, "choose another folder with -o, or write there with --force", kFolders},
-    {Remedy::kAwaitSolve, "wait for its end, or choose another folder with -o", kFolders},
+    {Remedy::kChooseFolder, "choose another folder with -o, or write there with --force", kWritten},
+    {Remedy::kAwaitSolve, "wait for its end, or choose another folder with -o", kWritten},
     {Remedy::kClearPlace, "remove it, or choose another place with -o", kAll},
     {Remedy::kTakeLargerTets, "take larger tets with --size or --edges", kTets},
     {Remedy::kTakeLargerTets, "take larger tets with --tet-size", kFolders},

@@ -13,7 +13,7 @@ namespace crossgrain::app {
 int exit_code_of(ErrorKind kind);
 
 /// Commands whose options differ; kProcesses is the solve of crossgrain-mpi.
-enum class Command { kSolve, kProcesses, kHex, kTets, kOther };
+enum class Command { kSolve, kProcesses, kHex, kFit, kTets, kOther };
 
 /// Runs `compute`. Errors about the mesh, which name no file, get the name of the mesh's file.
 template <class Compute>

@@ -26,6 +26,7 @@
 #include "crossgrain/result_folder.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "fit_command.hpp"
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"
@@ -367,6 +368,37 @@ Solved solved(const Job& job) {
   return result;
 }
 
+/// What a run writes to its folder: it was checked before the work. What has appeared there since must not
+/// cost the result, unless it would be lost.
+OutputOptions output_options_for(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
+  OutputOptions options = job.arguments.output_options;
+  options.reservation = reservation;
+  if (options.foreign_files == ForeignFiles::kRefuse) options.foreign_files = ForeignFiles::kKeep;
+  return options;
+}
+
+/// Says whose result is replaced.
+void announce_replaced(const Job& job) {
+  const auto replaced = replaced_model(job.arguments);
+  if (!replaced || job.arguments.quiet) return;
+  job.leave_line();
+  print_message(job.arguments.output + ": the field of " + *replaced + " will be replaced");
+}
+
+/// Puts hexahedra onto the model and writes them.
+SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
+  job.monitor.report({Phase::kRead, 0, 0, 0, 0});
+  FittedHexahedra fitted = fitted_mesh(job.arguments, job.warn, job.monitor);
+  if (fitted.hexahedra().is_stopped) {
+    job.leave_line();
+    announce_stop(best_text(fitted.hexahedra()));
+  }
+  announce_replaced(job);
+  job.monitor.report({Phase::kWrite, 0, 0, 0, 0});
+  fitted.report.seconds.total = seconds_since(job.start);
+  return write_fitted(fitted, job.arguments.output, job.monitor, output_options_for(job, reservation));
+}
+
 /// Solves, transfers the field to the tets if there are any, and writes all files.
 SolveReport solve_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
   const SolveArguments& arguments = job.arguments;
@@ -375,18 +407,10 @@ SolveReport solve_and_write(const Job& job, const std::shared_ptr<FolderReservat
   const auto [read_seconds, has_tets, to_write, tet_field, made] =
       arguments.hexahedra ? meshed(job) : solved(job);
   const FrameField& field = to_write.cells.value();
-  if (const auto replaced = replaced_model(arguments); replaced && !arguments.quiet) {
-    job.leave_line();
-    print_message(arguments.output + ": the field of " + *replaced + " will be replaced");
-  }
+  announce_replaced(job);
 
   monitor.report({Phase::kWrite, 0, 0, 0, 0});
-  OutputOptions output_options = arguments.output_options;
-  output_options.reservation = reservation;
-  // The folder was checked before the solve. What has appeared there since must not cost the result, unless
-  // it would be lost.
-  if (output_options.foreign_files == ForeignFiles::kRefuse)
-    output_options.foreign_files = ForeignFiles::kKeep;
+  OutputOptions output_options = output_options_for(job, reservation);
   if (made) {
     output_options.hexahedra = {made, &made->mesh};
     output_options.hex_map = {made, &made->map};
@@ -466,7 +490,8 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
       print_warning(warning, arguments, warned);
     };
     const SolveOnGrid on_grid = together ? together : solve_alone;
-    report = solve_and_write({arguments, on_grid, monitor, warn, tell, &lines, start}, reservation);
+    const Job job{arguments, on_grid, monitor, warn, tell, &lines, start};
+    report = arguments.mesh.empty() ? solve_and_write(job, reservation) : fit_and_write(job, reservation);
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)

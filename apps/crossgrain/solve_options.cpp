@@ -61,6 +61,19 @@ void add_formats(CLI::App& command, OutputOptions& options, bool has_map) {
       ->type_name(names + "...");
 }
 
+void add_outcomes(CLI::App& command, SolveArguments& arguments) {
+  command.add_flag(
+      "--inverted", arguments.output_options.inverted_hexahedra,
+      "Write files for solvers (.inp, .msh, .mesh) even if hexahedra are inverted (turned inside "
+      "out), with which solvers give wrong results");
+  command
+      .add_option_function<std::string>(
+          "--accept", [&arguments](const std::string&) { arguments.accepts_approximate = true; },
+          "End with exit code 0 although hexahedra lack features of the model or are off its surface")
+      ->type_name("approximate")
+      ->check([](const std::string& text) { return fault_of_choice(text, {"approximate"}); });
+}
+
 void add_talk(CLI::App& command, SolveArguments& arguments) {
   add_quiet(command, arguments.quiet, arguments.progress);
   command.add_flag("--verbose", arguments.verbose,

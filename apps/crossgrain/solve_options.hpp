@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options of `solve` that `hex` has too.
+// Options that `solve`, `hex` and `fit` share.
 #pragma once
 
 #include "arguments.hpp"
@@ -19,6 +19,9 @@ void add_keep_tags(CLI::App& command, TetTagOptions& options);
 
 /// --write; with the formats of maps, if the command makes hexahedra.
 void add_formats(CLI::App& command, OutputOptions& options, bool has_map);
+
+/// What is written of hexahedra that are inverted, and which exit code approximate ones have.
+void add_outcomes(CLI::App& command, SolveArguments& arguments);
 
 /// What is printed, and whether a page is written.
 void add_talk(CLI::App& command, SolveArguments& arguments);

@@ -112,7 +112,7 @@ std::string remedy_of(const HexReport& hexahedra, const SolveArguments& argument
   if (hexahedra.remedy == Remedy::kSeparateSolids)
     return can_glue ? "cut one from the other, or glue them with --glue" : words_of(hexahedra.remedy);
   if (hexahedra.remedy != Remedy::kGlueSolids)
-    return words_of(hexahedra.remedy, hexahedra.remedy_number, Command::kHex);
+    return words_of(hexahedra.remedy, hexahedra.remedy_number, command_of(arguments));
   if (can_glue) return "glue them with --glue";
   if (arguments.glue) return "take smaller tets with --tet-size, between which a gap shows";
   if (is_tet_file(arguments.model)) return "mesh them together, with common vertices where they touch";
@@ -178,7 +178,13 @@ std::string time_row(const SolveReport& report) {
 }
 
 std::string files_row(const SolveReport& report, const SolveArguments& arguments) {
-  std::vector<std::string> names = result_files(arguments.output_options, report);
+  std::vector<std::string> names;
+  if (arguments.mesh.empty()) {
+    names = result_files(arguments.output_options, report);
+  } else {
+    for (const ResultInventory::File& file : report.files) names.push_back(file.name);
+    names.push_back("report.json");
+  }
   if (arguments.page) names.insert(names.begin(), kPageFile);
   for (std::string& name : names)
     if (name == kCellsFile && is_in_pieces(arguments.output)) name = kPiecesFile;
@@ -267,17 +273,16 @@ std::string faces_row(const std::string& text, const SolveReport& report, const 
       !has_numbered(text, are_patches ? "patches" : "faces"))
     return "";
   const std::size_t count = report.faces.size();
-  return row(
-      are_patches ? "patches" : "faces",
-      fmt::format(
-          "{}{}, numbered in report.json and on the page; a picture: crossgrain render {} --colour face",
-          count, are_patches ? " between sharp edges" : "", arguments.output));
+  return row(are_patches ? "patches" : "faces",
+             fmt::format("{}{}, numbered in report.json{}; a picture: crossgrain render {} --colour face",
+                         count, are_patches ? " between sharp edges" : "",
+                         arguments.page ? " and on the page" : "", arguments.output));
 }
 
 /// What `--verbose` adds.
 std::string detail_rows(const SolveReport& report) {
   std::string text;
-  if (report.hexahedra) {
+  if (report.hexahedra && report.onto) {
     text += detail_row(*report.hexahedra) + lines_row(report.onto->singularity) +
             angles_row("alignment", report.onto->normal_deg, "the surface") + energy_row(report);
   }
@@ -306,6 +311,7 @@ bool are_whole_but_apart(const HexReport& hexahedra) {
 }  // namespace
 
 Command command_of(const SolveArguments& arguments) {
+  if (!arguments.mesh.empty()) return Command::kFit;
   return arguments.hexahedra ? Command::kHex : Command::kSolve;
 }
 

@@ -18,7 +18,7 @@ namespace crossgrain::app {
 /// list.
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments);
 
-/// Returns the command whose arguments these are: `solve` or `hex`.
+/// Returns the command whose arguments these are: `solve`, `hex` or `fit`.
 Command command_of(const SolveArguments& arguments);
 
 /// Returns a warning with what to do about it, in options of the command that suit the model.

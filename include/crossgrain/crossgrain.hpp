@@ -7,6 +7,7 @@
 #include "crossgrain/features.hpp"
 #include "crossgrain/finding.hpp"
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/hex_fit.hpp"
 #include "crossgrain/hex_map.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/hexahedra.hpp"

@@ -59,11 +59,14 @@ bool is_of_surface(const HexFeatures::Lack& lack) {
 
 FeatureComplex features_of_model(const TetDomain& domain) {
   const GivenModel* const given = domain.mesh().given.get();
-  TriangleMesh surface = given ? given->surface : domain.boundary();
-  FeatureOptions options;
-  if (given) options.angles.least_deg = given->crease_angle_deg;
-  options.unite_solids = true;
-  return feature_complex(prepare_surface(CheckedMesh::derived(weld(std::move(surface)))), options);
+  CreaseAngles angles;
+  if (given) angles.least_deg = given->crease_angle_deg;
+  return features_of_surface(given ? given->surface : domain.boundary(), angles);
+}
+
+FeatureComplex features_of_surface(TriangleMesh surface, const CreaseAngles& angles) {
+  return feature_complex(prepare_surface(CheckedMesh::derived(weld(std::move(surface)))),
+                         {.angles = angles, .unite_solids = true});
 }
 
 HexFeatures features_kept(const HexMesh& mesh, const FeatureComplex& features, double size) {

@@ -14,6 +14,9 @@ namespace crossgrain {
 /// (TetMesh::given), or of their boundary with its tags.
 FeatureComplex features_of_model(const TetDomain& domain);
 
+/// The same of a surface.
+FeatureComplex features_of_surface(TriangleMesh surface, const CreaseAngles& angles);
+
 /// Returns what hexahedra that close up keep of features, in sizes of `size`.
 HexFeatures features_kept(const HexMesh& mesh, const FeatureComplex& features, double size);
 

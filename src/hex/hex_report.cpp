@@ -13,6 +13,7 @@
 
 #include "base/names.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/place.hpp"
 #include "hex/attempt_kinds.hpp"
 #include "hex/field_mapping.hpp"
@@ -36,18 +37,6 @@ std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<do
   for (const auto& [determinant, t] : flipped) {
     places.push_back(centroid_of_tet(solid.mesh, t));
   }
-  return places;
-}
-
-/// Centres of inverted hexahedra, the worst first.
-std::vector<Vector3> places_of_inverted(const HexMesh& mesh) {
-  const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh);
-  std::vector<std::pair<double, std::size_t>> inverted;
-  for (std::size_t k = 0; k < is_inverted.size(); ++k)
-    if (is_inverted[k]) inverted.emplace_back(least_jacobian(corners_of(mesh, k)).upper, k);
-  std::sort(inverted.begin(), inverted.end());
-  std::vector<Vector3> places;
-  for (const auto& [least, k] : inverted) places.push_back(centre_of(mesh, k));
   return places;
 }
 
@@ -168,6 +157,22 @@ std::string words_of_places(const std::vector<Vector3>& places, const HexCandida
 }
 
 }  // namespace
+
+std::vector<Vector3> places_of_inverted(const HexMesh& mesh) {
+  const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh);
+  std::vector<std::pair<double, std::size_t>> inverted;
+  for (std::size_t k = 0; k < is_inverted.size(); ++k)
+    if (is_inverted[k]) inverted.emplace_back(least_jacobian(corners_of(mesh, k)).upper, k);
+  std::sort(inverted.begin(), inverted.end());
+  std::vector<Vector3> places;
+  for (const auto& [least, k] : inverted) places.push_back(centre_of(mesh, k));
+  return places;
+}
+
+Warning ended_at(const Error& limit) {
+  return {WarningKind::kAttemptLimited,
+          {limit.file(), "", "an attempt at better hexahedra ended early: " + limit.text(), limit.remedy()}};
+}
 
 HexReport::Quality quality_of(const HexMesh& mesh) {
   HexReport::Quality quality;

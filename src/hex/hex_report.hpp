@@ -3,8 +3,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/hexahedra.hpp"
+#include "crossgrain/warning.hpp"
 #include "hex/hex_candidate.hpp"
 #include "hex/model_fit.hpp"
 #include "tets/tet_solid.hpp"
@@ -12,6 +15,12 @@
 namespace crossgrain {
 
 HexReport::Quality quality_of(const HexMesh& mesh);
+
+/// Returns the centres of inverted hexahedra, the worst first.
+std::vector<Vector3> places_of_inverted(const HexMesh& mesh);
+
+/// Returns that a better mesh may have been missed, since attempts ended at a limit.
+Warning ended_at(const Error& limit);
 
 /// Fills in what a mesh says by itself and beside the model: counts, topology, volumes, areas, distances,
 /// scaled Jacobians, valences. The mesh has its boundary.

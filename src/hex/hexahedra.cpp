@@ -65,12 +65,6 @@ void warn_of_fit(const TetSolid& solid, bool fills, const HexReport& report, Sol
     if (warning) whole.warnings.push_back(std::move(*warning));
 }
 
-/// Where a better mesh may have been missed.
-Warning ended_at(const Error& limit) {
-  return {WarningKind::kAttemptLimited,
-          {limit.file(), "", "an attempt at better hexahedra ended early: " + limit.text(), limit.remedy()}};
-}
-
 void check_options(const HexOptions& options) {
   const auto demand = [](bool holds, const char* what) {
     if (!holds) throw Error(ErrorKind::kUsage, {"", "hexahedra", what});

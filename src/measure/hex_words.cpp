@@ -94,6 +94,14 @@ std::string words_of_shapes(const HexReport& report) {
   return fmt::format("badly shaped: worst scaled Jacobian {:.2g}", report.quality.least);
 }
 
+/// How hexahedra came to lie on the model: ", fitted to the model with 12 more hexahedra".
+std::string way_of_fit(const HexReport& report) {
+  if (report.best_fit == 0 || report.best_fit >= report.fit_tries.size()) return "";
+  const std::size_t added = added_by_fit(report);
+  return ", fitted to the model" +
+         (added > 0 ? fmt::format(" with {} more", counted(added, "hexahedron", "hexahedra")) : "");
+}
+
 }  // namespace
 
 const char* name_of(HexOutcome outcome) {
@@ -134,7 +142,11 @@ std::string lacking_of(const HexReport& report) {
 }
 
 std::string way_of(const HexReport& report) {
-  if (report.attempts.empty()) return "";
+  if (report.attempts.empty()) {
+    if (report.fit_tries.empty()) return "";
+    const std::string fit = way_of_fit(report);
+    return fit.empty() ? "as given, since no fit is better" : fit.substr(2);
+  }
   const HexAttempt& best = report.attempts[report.best_attempt];
   std::size_t last = 0;
   std::string size;
@@ -143,14 +155,9 @@ std::string way_of(const HexReport& report) {
     if (attempt.tet_size > 0 && attempt.round == best.round && attempt.tets > 0)
       size = fmt::format(" of {:.3g}", attempt.tet_size);
   }
-  std::string fit;
-  if (report.best_fit < report.fit_tries.size() && report.best_fit > 0) {
-    fit = ", fitted to the model";
-    if (added_by_fit(report) > 0)
-      fit += fmt::format(" with {} more", counted(added_by_fit(report), "hexahedron", "hexahedra"));
-  }
   return fmt::format("attempt {} of {}: field on {}{}, repaired{}{}", best.number, last,
-                     counted(best.tets, "tet"), size, best.kind == "repair" ? "" : ", " + best.kind, fit);
+                     counted(best.tets, "tet"), size, best.kind == "repair" ? "" : ", " + best.kind,
+                     way_of_fit(report));
 }
 
 std::string sentence_of(const HexReport& report) {

@@ -85,56 +85,18 @@ void remove_earlier(const std::filesystem::path& folder, OutputFolder& output) {
 SolveReport write_folder(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                          const Monitor& monitor, const OutputOptions& options, const std::string& solve,
                          const AddFiles& write_cells, const AddFiles& add_files) {
-  check_output_options(options);
-  check_formats(options.formats);
-  auto reservation = options.reservation ? options.reservation : std::make_shared<FolderReservation>(folder);
-  if (reservation->name() != folder.string())
-    throw Error(ErrorKind::kUsage, "the folder '" + reservation->name() + "' is reserved, not this one");
-  check_foreign_files(folder, options, *reservation, monitor);
-  OutputFolder output(std::move(reservation));
-  // What is made for a file on the way may sort millions of faces.
-  const WatchedLoops watched(monitor, Stops::kIgnored);
-  Stopwatch stopwatch;
-  report.solve = solve;
-  report.files.clear();
-  output.set_solve(solve);
-  CompanionFile::Writer companion;
   const bool is_shared = !field.data().share().is_whole();
-  if (is_shared) write_cells(output, report);
-  run_side_by_side(
-      [&] {
-        if (!is_shared) write_cells(output, report);
-        write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
-        if (const auto surface = field.data().surface.get())
-          write_surface(output.create(kSurfaceFile), *surface, monitor);
-        else
-          output.remove_at_commit(kSurfaceFile);
-        add_files(output, report);
-        add_hexahedra(options, output, monitor);
-      },
-      [&] {
-        if (options.companion) companion = options.companion->prepare(monitor);
-      });
-  remove_earlier(folder, output);
-  report.seconds.write = stopwatch.restart();
-  report.seconds.total += report.seconds.write;
-  report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
-  warn_of_numbers_not_finite(report);
-  for (ResultInventory::File& file : output.created()) report.files.push_back(std::move(file));
-  if (options.companion) {
-    OutputFile& file = output.create(options.companion->name);
-    companion(report, [&](std::string_view bytes) { file.write(bytes); });
-    report.files.push_back(output.created().back());
-  }
-  output.create(kReportFile).write(sealed_report_json(report));
-  monitor.check();
-  output.commit();
-  return report;
-}
-
-/// The files for tets of an earlier field would seem to belong to this one.
-void remove_tet_files(OutputFolder& output, SolveReport&) {
-  for (const TetFile& file : tet_files()) output.remove_at_commit(file.name);
+  const auto add_all = [&](OutputFolder& output, SolveReport& written) {
+    if (!is_shared) write_cells(output, written);
+    write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
+    if (const auto surface = field.data().surface.get())
+      write_surface(output.create(kSurfaceFile), *surface, monitor);
+    else
+      output.remove_at_commit(kSurfaceFile);
+    add_files(output, written);
+  };
+  return write_result(std::move(report), folder, monitor, options, solve, add_all,
+                      is_shared ? write_cells : AddFiles());
 }
 
 /// Writes a field that processes share; the first one writes all but their pieces. Returns its report there.
@@ -167,6 +129,53 @@ SolveReport write_parts(const FrameField& field, SolveReport report, const std::
 }
 
 }  // namespace
+
+SolveReport write_result(SolveReport report, const std::filesystem::path& folder, const Monitor& monitor,
+                         const OutputOptions& options, const std::string& solve, const AddFiles& add_files,
+                         const AddFiles& add_first) {
+  check_output_options(options);
+  check_formats(options.formats);
+  auto reservation = options.reservation ? options.reservation : std::make_shared<FolderReservation>(folder);
+  if (reservation->name() != folder.string())
+    throw Error(ErrorKind::kUsage, "the folder '" + reservation->name() + "' is reserved, not this one");
+  check_foreign_files(folder, options, *reservation, monitor);
+  OutputFolder output(std::move(reservation));
+  // What is made for a file on the way may sort millions of faces.
+  const WatchedLoops watched(monitor, Stops::kIgnored);
+  Stopwatch stopwatch;
+  report.solve = solve;
+  report.files.clear();
+  output.set_solve(solve);
+  CompanionFile::Writer companion;
+  if (add_first) add_first(output, report);
+  run_side_by_side(
+      [&] {
+        add_files(output, report);
+        add_hexahedra(options, output, monitor);
+      },
+      [&] {
+        if (options.companion) companion = options.companion->prepare(monitor);
+      });
+  remove_earlier(folder, output);
+  report.seconds.write = stopwatch.restart();
+  report.seconds.total += report.seconds.write;
+  report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
+  warn_of_numbers_not_finite(report);
+  for (ResultInventory::File& file : output.created()) report.files.push_back(std::move(file));
+  if (options.companion) {
+    OutputFile& file = output.create(options.companion->name);
+    companion(report, [&](std::string_view bytes) { file.write(bytes); });
+    report.files.push_back(output.created().back());
+  }
+  output.create(kReportFile).write(sealed_report_json(report));
+  monitor.check();
+  output.commit();
+  return report;
+}
+
+void remove_tet_files(OutputFolder& output, SolveReport&) {
+  for (const TetFile& file : tet_files()) output.remove_at_commit(file.name);
+}
 
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                             const Monitor& monitor, const OutputOptions& options, const std::string& solve,

@@ -178,6 +178,13 @@ std::string solve_id(const FieldData& data, const OutputOptions& options, const 
   return sum.text();
 }
 
+std::string solve_id(const OutputOptions& options) {
+  ContentSum sum;
+  sum.add_text(kVersion);
+  add_options(options, sum);
+  return sum.text();
+}
+
 bool is_solve_id(const std::string& text) {
   return text.size() == kSolveBytes && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }

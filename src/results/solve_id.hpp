@@ -16,6 +16,9 @@ namespace crossgrain {
 /// result. `tets` is null for a field on a grid.
 std::string solve_id(const FieldData& data, const OutputOptions& options, const TetOutput* tets = nullptr);
 
+/// The same of hexahedra without a field.
+std::string solve_id(const OutputOptions& options);
+
 /// Returns whether a text is one that `solve_id` may return.
 bool is_solve_id(const std::string& text);
 

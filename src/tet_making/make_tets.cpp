@@ -27,6 +27,7 @@
 #include "surface/solid_split.hpp"
 #include "surface/stitching.hpp"
 #include "surface/topology.hpp"
+#include "tet_making/given_model.hpp"
 #include "tet_making/surface_faults.hpp"
 #include "tet_making/surface_tets.hpp"
 #include "tet_making/tet_making_tuning.hpp"
@@ -35,10 +36,6 @@
 
 namespace crossgrain {
 namespace {
-
-/// Vertices on open edges of a surface are merged if they are at most this far apart, relative to the longest
-/// side: what rounding leaves, far below anything modelled.
-constexpr double kStitchShare = 1e-6;
 
 using Programs = std::vector<std::unique_ptr<TetProgram>>;
 
@@ -157,60 +154,13 @@ void number_as_model(TetMesh& mesh, const CadModel& model) {
   }
 }
 
-/// Throws Error(kInput) if solids are not closed, naming the places.
-void check_solids(const CadModel& model) {
-  std::set<std::int32_t> solids(model.mesh.solids.begin(), model.mesh.solids.end());
-  for (const std::int32_t closed : model.solids.solid_numbers) solids.erase(closed);
-  if (solids.empty()) return;
-  TriangleMesh open;
-  open.vertices = model.mesh.vertices;
-  for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t)
-    if (solids.contains(model.mesh.solids[t])) open.triangles.push_back(model.mesh.triangles[t]);
-  check_bounds_solid(SearchableSurface(mend_surface(CheckedMesh(weld(std::move(open))))));
-}
-
 CreaseAngles creases_of(const TetMakingTuning& options) {
   return {.least_deg = options.crease_angle_deg};
 }
 
-std::shared_ptr<const GivenModel> given_cad(const TriangleMesh& mesh, double crease_angle_deg) {
-  const SolidSplit split = split_solids(CheckedMesh(mesh), /*unite=*/true);
-  const TriangleMesh& outer = *split.outer;
-  const bool is_exact = mesh.exact_size.volume > 0;
-  GivenModel given{is_exact ? ModelSource::kCad : ModelSource::kSurface, mesh.face_list,
-                   is_exact ? mesh.exact_size : size_of(outer.vertices, outer.triangles), outer,
-                   crease_angle_deg};
-  for (const SolidSplit::Between& pair : split.between) given.between.push_back(pair.triangle);
-  return std::make_shared<const GivenModel>(std::move(given));
-}
-
-std::shared_ptr<const GivenModel> given_surface(const PatchedSurface& surface, FaceKind kind,
-                                                double crease_angle_deg) {
-  TriangleMesh mesh{surface.vertices, surface.triangles};
-  for (const std::uint32_t patch : surface.patch_of) mesh.faces.push_back(surface.tags[patch]);
-  std::vector<ModelFace> faces = listed_faces(mesh.vertices, mesh.triangles, mesh.faces, kind);
-  const ModelSize size = size_of(mesh.vertices, mesh.triangles);
-  return std::make_shared<const GivenModel>(
-      GivenModel{ModelSource::kSurface, std::move(faces), size, std::move(mesh), crease_angle_deg});
-}
-
-/// Of the triangles of a CAD file that hexahedra are measured against: they are within 0.02 % of the longest
-/// side of the true faces, 0.4 % of the size of twenty hexahedra along it.
-constexpr int kGivenResolution = 4 * kDefaultResolution;
-
 TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning& options,
                  const Monitor& monitor) {
-  CadReading reading;
-  reading.resolution = kGivenResolution;
-  reading.crease_angle_deg = options.crease_angle_deg;
-  reading.read_seconds = options.read_seconds;
-  reading.glue = options.glue;
-  reading.max_memory_bytes = options.max_memory_bytes;
-  reading.cad_program = options.cad_program;
-  CadModel model = read_cad(file, format, reading, monitor, CadContent::kWithSolids);
-  model.mesh = with_unit(std::move(model.mesh), options.unit, file.name());
-  monitor.tell(summary_of(model.mesh));
-  check_solids(model);
+  CadModel model = read_solids(file, format, options, monitor);
   const SearchableSurface faces(prepare_surface(weld(model.mesh)));
   const TetJob job = job_of(size_for(faces, options), options, monitor);
   const Programs programs = programs_of(options);
@@ -236,45 +186,25 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning&
   TetMesh mesh = std::move(attempts).result();
   mesh.unit = model.mesh.unit;
   mesh.file_unit = model.mesh.file_unit;
-  mesh.given = given_cad(model.mesh, options.crease_angle_deg);
+  mesh.given = std::make_shared<const GivenModel>(given_cad(model.mesh, options.crease_angle_deg));
   add_first(mesh.warnings, model.mesh.warnings);
   return mesh;
 }
 
-/// Returns a mesh without the cracks that rounding leaves; adds to its warnings.
-TriangleMesh without_cracks(TriangleMesh mesh) {
-  const CheckedMesh checked(std::move(mesh));
-  std::vector<Warning> warnings = checked->warnings;
-  StitchedSurface result =
-      stitched(weld(*checked), kStitchShare * longest_side(box_of_solid_triangles(*checked)));
-  if (result.merged > 0)
-    warnings.emplace_back(WarningKind::kSurfaceFinding,
-                          fmt::format("cracks: {} on open edges, at most {:.3g} apart, merged with others",
-                                      counted(result.merged, "vertex", "vertices"), result.widest));
-  result.mesh.warnings = std::move(warnings);
-  return std::move(result.mesh);
-}
-
 TetMesh triangle_tets(TriangleMesh given, const TetMakingTuning& options, const Monitor& monitor) {
   const std::string unit = given.unit, file_unit = given.file_unit;
-  TriangleMesh mesh = without_cracks(std::move(given));
-  const std::vector<Warning> reading = std::move(mesh.warnings);
-  const SearchableSurface surface(mend_surface(CheckedMesh::derived(std::move(mesh))));
-  const std::vector<Warning> mended = check_bounds_solid(surface);
-  const TetJob job = job_of(size_for(surface, options), options, monitor);
+  const ClosedModel model(std::move(given));
+  const TetJob job = job_of(size_for(model.surface(), options), options, monitor);
   const Programs programs = programs_of(options);
   monitor.report({Phase::kMakeTets, 0, 0, 0, 0});
   Attempts attempts;
-  const PatchedSurface triangles = surface_to_fill(surface.surface(), creases_of(options));
+  const PatchedSurface triangles = model.patches(options.crease_angle_deg);
   attempt_surface(triangles, programs, job, attempts);
   TetMesh result = std::move(attempts).result();
   result.unit = unit;
   result.file_unit = file_unit;
-  result.given =
-      given_surface(triangles, surface.surface().mesh.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged,
-                    options.crease_angle_deg);
-  add_first(result.warnings, mended);
-  add_first(result.warnings, reading);
+  result.given = std::make_shared<const GivenModel>(model.given(triangles, options.crease_angle_deg));
+  add_first(result.warnings, model.warnings());
   return result;
 }
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from program import KEPT, CommandTest, run
 
 DOCUMENTS = Path(os.environ.get("CROSSGRAIN_DOCUMENTS", ""))
-COMMANDS = ["solve", "sample", "spectrum", "check", "hex", "streamlines", "tets", "render", "view"]
+COMMANDS = ["solve", "sample", "spectrum", "check", "hex", "fit", "streamlines", "tets", "render", "view"]
 WAIT_S = 20
 BEHIND = "end_of_offers"
 

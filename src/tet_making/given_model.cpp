@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tet_making/given_model.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <set>
+#include <utility>
+
+#include "base/vector3.hpp"
+#include "crossgrain/features.hpp"
+#include "crossgrain/model_summary.hpp"
+#include "mesh_files/surface/surface_reader.hpp"
+#include "surface/model_faces.hpp"
+#include "surface/solid_split.hpp"
+#include "surface/stitching.hpp"
+#include "surface/topology.hpp"
+#include "tet_making/surface_faults.hpp"
+#include "tet_making/surface_tets.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Vertices on open edges of a surface are merged if they are at most this far apart, relative to the longest
+/// side: what rounding leaves, far below anything modelled.
+constexpr double kStitchShare = 1e-6;
+
+/// Of the triangles of a CAD file that hexahedra are measured against: they are within 0.02 % of the longest
+/// side of the true faces, 0.4 % of the size of twenty hexahedra along it.
+constexpr int kGivenResolution = 4 * kDefaultResolution;
+
+/// Throws Error(kInput) if solids are not closed, naming the places.
+void check_solids(const CadModel& model) {
+  std::set<std::int32_t> solids(model.mesh.solids.begin(), model.mesh.solids.end());
+  for (const std::int32_t closed : model.solids.solid_numbers) solids.erase(closed);
+  if (solids.empty()) return;
+  TriangleMesh open;
+  open.vertices = model.mesh.vertices;
+  for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t)
+    if (solids.contains(model.mesh.solids[t])) open.triangles.push_back(model.mesh.triangles[t]);
+  check_bounds_solid(SearchableSurface(mend_surface(CheckedMesh(weld(std::move(open))))));
+}
+
+/// Returns a mesh without the cracks that rounding leaves; its warnings go to these, with one about cracks.
+TriangleMesh without_cracks(TriangleMesh mesh, std::vector<Warning>& warnings) {
+  const CheckedMesh checked(std::move(mesh));
+  warnings = checked->warnings;
+  StitchedSurface result =
+      stitched(weld(*checked), kStitchShare * longest_side(box_of_solid_triangles(*checked)));
+  if (result.merged > 0)
+    warnings.emplace_back(WarningKind::kSurfaceFinding,
+                          fmt::format("cracks: {} on open edges, at most {:.3g} apart, merged with others",
+                                      counted(result.merged, "vertex", "vertices"), result.widest));
+  result.mesh.warnings.clear();
+  return std::move(result.mesh);
+}
+
+}  // namespace
+
+CadModel read_solids(const InputFile& file, CadFormat format, const TetMakingTuning& options,
+                     const Monitor& monitor) {
+  CadReading reading;
+  reading.resolution = kGivenResolution;
+  reading.crease_angle_deg = options.crease_angle_deg;
+  reading.read_seconds = options.read_seconds;
+  reading.glue = options.glue;
+  reading.max_memory_bytes = options.max_memory_bytes;
+  reading.cad_program = options.cad_program;
+  CadModel model = read_cad(file, format, reading, monitor, CadContent::kWithSolids);
+  model.mesh = with_unit(std::move(model.mesh), options.unit, file.name());
+  monitor.tell(summary_of(model.mesh));
+  check_solids(model);
+  return model;
+}
+
+GivenModel given_cad(const TriangleMesh& mesh, double crease_angle_deg) {
+  const SolidSplit split = split_solids(CheckedMesh(mesh), /*unite=*/true);
+  const TriangleMesh& outer = *split.outer;
+  const bool is_exact = mesh.exact_size.volume > 0;
+  GivenModel given{is_exact ? ModelSource::kCad : ModelSource::kSurface, mesh.face_list,
+                   is_exact ? mesh.exact_size : size_of(outer.vertices, outer.triangles), outer,
+                   crease_angle_deg};
+  for (const SolidSplit::Between& pair : split.between) given.between.push_back(pair.triangle);
+  return given;
+}
+
+ClosedModel::ClosedModel(TriangleMesh given)
+    : surface_(mend_surface(CheckedMesh::derived(without_cracks(std::move(given), warnings_)))) {
+  std::vector<Warning> mended = check_bounds_solid(surface_);
+  warnings_.insert(warnings_.end(), mended.begin(), mended.end());
+}
+
+PatchedSurface ClosedModel::patches(double crease_angle_deg) const {
+  return surface_to_fill(surface_.surface(), {.least_deg = crease_angle_deg});
+}
+
+GivenModel ClosedModel::given(const PatchedSurface& patches, double crease_angle_deg) const {
+  TriangleMesh mesh{patches.vertices, patches.triangles};
+  for (const std::uint32_t patch : patches.patch_of) mesh.faces.push_back(patches.tags[patch]);
+  const FaceKind kind = surface_.surface().mesh.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged;
+  std::vector<ModelFace> faces = listed_faces(mesh.vertices, mesh.triangles, mesh.faces, kind);
+  const ModelSize size = size_of(mesh.vertices, mesh.triangles);
+  return {ModelSource::kSurface, std::move(faces), size, std::move(mesh), crease_angle_deg};
+}
+
+}  // namespace crossgrain
