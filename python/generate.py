@@ -125,13 +125,14 @@ OPTIONS = {
     "tet_making.hpp": ["TetMakingOptions"],
     "hexahedra.hpp": ["HexOptions"],
     "hex_meshing.hpp": ["HexMeshingOptions"],
+    "hex_fit.hpp": ["HexFitOptions"],
 }
 KINDS = {
     "SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTagOptions": "TAG_OPTIONS",
     "OutputOptions": "OUTPUT_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
     "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS",
     "RepairOptions": "REPAIR_OPTIONS", "TetMakingOptions": "TET_MAKING_OPTIONS", "HexOptions": "HEX_OPTIONS",
-    "HexMeshingOptions": "HEX_MESHING_OPTIONS",
+    "HexMeshingOptions": "HEX_MESHING_OPTIONS", "HexFitOptions": "HEX_FIT_OPTIONS",
 }
 
 # Members that Python passes in another way.

@@ -139,6 +139,7 @@ typedef enum crossgrain_options_kind {
   CROSSGRAIN_REPAIR_OPTIONS = 8,       /**< RepairOptions */
   CROSSGRAIN_HEX_OPTIONS = 9,          /**< HexOptions */
   CROSSGRAIN_HEX_MESHING_OPTIONS = 10, /**< HexMeshingOptions */
+  CROSSGRAIN_HEX_FIT_OPTIONS = 11,     /**< HexFitOptions */
   CROSSGRAIN_NO_OPTIONS = 2147483647 /**< none; so that a function may be asked for any int, and refuse it */
 } crossgrain_options_kind;
 

@@ -39,6 +39,19 @@ crossgrain_status crossgrain_tet_field_hexahedra(const crossgrain_tet_field* fie
                                                  crossgrain_monitor* monitor, crossgrain_hexahedra** out,
                                                  crossgrain_error** error);
 
+/** Puts hexahedra of any mesher, which roughly fill a model in a file, onto its corners, creases and faces
+ * (fit_hexahedra): those in the file `mesh`, or in the folder of a result; or arrays of `vertex_count`
+ * vertices, 3 numbers each, and of `count` hexahedra, 8 vertices each in the order of VTK. `options` of kind
+ * CROSSGRAIN_HEX_FIT_OPTIONS, or NULL. These hexahedra have no field. */
+crossgrain_status crossgrain_hexahedra_fit(const char* mesh, const char* model,
+                                           const crossgrain_options* options, crossgrain_monitor* monitor,
+                                           crossgrain_hexahedra** out, crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_fit_arrays(const double* vertices, size_t vertex_count,
+                                                  const uint32_t* corners, size_t count, const char* model,
+                                                  const crossgrain_options* options,
+                                                  crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                                  crossgrain_error** error);
+
 /** What became of the hexahedra. */
 crossgrain_hex_outcome crossgrain_hexahedra_outcome(const crossgrain_hexahedra* hexahedra);
 
@@ -59,11 +72,11 @@ const uint32_t* crossgrain_hexahedra_faces(const crossgrain_hexahedra* hexahedra
 const int32_t* crossgrain_hexahedra_face_tags(const crossgrain_hexahedra* hexahedra);
 const char* crossgrain_hexahedra_unit(const crossgrain_hexahedra* hexahedra);
 
-/** The repaired field that the hexahedra follow, on tets. */
+/** The repaired field that the hexahedra follow, on tets. CROSSGRAIN_USAGE for those without. */
 crossgrain_status crossgrain_hexahedra_field(const crossgrain_hexahedra* hexahedra,
                                              crossgrain_tet_field** out, crossgrain_error** error);
 
-/** The report of that field, with the section "hexahedra" (docs/report.md). */
+/** The report of that field, or of the model, with the section "hexahedra" (docs/report.md). */
 crossgrain_status crossgrain_hexahedra_report(const crossgrain_hexahedra* hexahedra, char** json,
                                               crossgrain_error** error);
 
@@ -73,8 +86,9 @@ crossgrain_status crossgrain_hexahedra_write(const crossgrain_hexahedra* hexahed
                                              int inverted, crossgrain_monitor* monitor,
                                              crossgrain_error** error);
 
-/** Writes the folder that `crossgrain hex` writes: the field on tets and the mesh in all formats. Arguments
- * as of crossgrain_field_write. */
+/** Writes the folder that `crossgrain hex` writes: the field on tets and the mesh in all formats; or
+ * that of `crossgrain fit`. Arguments as of crossgrain_field_write; hexahedra without a field have no page.
+ */
 crossgrain_status crossgrain_hexahedra_write_folder(const crossgrain_hexahedra* hexahedra, const char* folder,
                                                     const crossgrain_options* options, const char* model,
                                                     double read_seconds, crossgrain_monitor* monitor,

@@ -247,12 +247,19 @@ class HexMesh:
     @cached_property
     def report(self) -> Dict[str, Any]:
         """The content of report.json (docs/report.md): ``report["hexahedra"]`` has the numbers of the mesh,
-        the rest is about its field."""
+        with the features that it keeps and those that it lacks; the rest is about its field."""
         return json.loads(text_from("hexahedra_report", self._handle))
+
+    @property
+    def features(self) -> Optional[Dict[str, Any]]:
+        """What the mesh keeps of the model's corners, creases and faces, and what it lacks, with places and
+        figures (docs/report.md); None of a partial mesh."""
+        return self.report["hexahedra"].get("features")
 
     @cached_property
     def field(self) -> TetField:
-        """The repaired field on tets that the hexahedra follow; ``field.grid`` is the one on the grid."""
+        """The repaired field on tets that the hexahedra follow; ``field.grid`` is the one on the grid.
+        Raises UsageError for those of `fit`, which follow none."""
         return TetField(made("tet_field", "hexahedra_field", self._handle), *self._model)
 
     def write(self, path: Any, *, inverted: bool = False) -> None:
@@ -266,9 +273,9 @@ class HexMesh:
 
     def write_folder(self, folder: Any, *, page: Optional[bool] = None,
                      options: Optional[OutputOptions] = None, **changes: Any) -> Dict[str, Any]:
-        """Writes the folder that ``crossgrain hex`` writes: the field on tets (`TetField.write`), and the
-        mesh in all formats; its map too with ``formats=["hexex", "map"]`` (docs/formats.md). Returns the
-        report as written."""
+        """Writes the folder that ``crossgrain hex`` or ``fit`` writes: the field on tets if there is one
+        (`TetField.write`), and the mesh in all formats; its map too with ``formats=["hexex", "map"]``
+        (docs/formats.md). Returns the report as written."""
         if page is not None or options is None:
             changes["page"] = page is None or page
         handle, encoded = handle_of(with_changes(options, OutputOptions, changes)), path_bytes(folder)

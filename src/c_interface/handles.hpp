@@ -19,7 +19,7 @@ struct crossgrain_options {
   std::variant<crossgrain::SolveOptions, crossgrain::ReadOptions, crossgrain::TetTagOptions,
                crossgrain::OutputChoices, crossgrain::StreamlineOptions, crossgrain::PictureOptions,
                crossgrain::MapPreparationOptions, crossgrain::TetMakingOptions, crossgrain::RepairOptions,
-               crossgrain::HexOptions, crossgrain::HexMeshingOptions>
+               crossgrain::HexOptions, crossgrain::HexMeshingOptions, crossgrain::HexFitOptions>
       values;
 };
 
@@ -63,11 +63,16 @@ struct crossgrain_tet_field {
 };
 
 struct crossgrain_hexahedra {
-  explicit crossgrain_hexahedra(crossgrain::Hexahedra its_hexahedra);
-  crossgrain::Hexahedra made;
+  using Made = std::variant<crossgrain::Hexahedra, crossgrain::FittedHexahedra>;
+
+  explicit crossgrain_hexahedra(Made its_hexahedra);
+  const crossgrain::HexMesh& mesh() const;
+  const crossgrain::SolveReport& report() const;
+
+  Made made;
   std::string sentence;
   std::vector<double> scaled_jacobians;
-  std::vector<std::uint32_t> faces;  ///< of made.mesh.boundary, row by row
+  std::vector<std::uint32_t> faces;  ///< of the boundary, row by row
   std::vector<std::int32_t> tags;
 };
 

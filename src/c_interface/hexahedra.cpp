@@ -2,10 +2,12 @@
 #include <filesystem>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include "c_interface/field_calls.hpp"
 #include "c_interface/guarded.hpp"
 #include "c_interface/handles.hpp"
+#include "crossgrain/read_limits.hpp"
 #include "measure/hex_quality.hpp"
 
 using namespace crossgrain;
@@ -13,14 +15,23 @@ using namespace crossgrain;
 static_assert(static_cast<int>(HexOutcome::kApproximate) == CROSSGRAIN_APPROXIMATE_HEX);
 static_assert(static_cast<int>(HexOutcome::kNone) == CROSSGRAIN_NO_HEX);
 
-crossgrain_hexahedra::crossgrain_hexahedra(Hexahedra its_hexahedra)
+crossgrain_hexahedra::crossgrain_hexahedra(Made its_hexahedra)
     : made(std::move(its_hexahedra)),
-      sentence(sentence_of(made.report())),
-      scaled_jacobians(crossgrain::scaled_jacobians(made.mesh)) {
-  for (const HexMesh::Face& face : made.mesh.boundary) {
+      sentence(sentence_of(*report().hexahedra)),
+      scaled_jacobians(crossgrain::scaled_jacobians(mesh())) {
+  for (const HexMesh::Face& face : mesh().boundary) {
     faces.insert(faces.end(), face.vertices.begin(), face.vertices.end());
     tags.push_back(face.tag);
   }
+}
+
+const HexMesh& crossgrain_hexahedra::mesh() const {
+  return std::visit([](const auto& hexahedra) -> const HexMesh& { return hexahedra.mesh; }, made);
+}
+
+const SolveReport& crossgrain_hexahedra::report() const {
+  if (const auto* fitted = std::get_if<FittedHexahedra>(&made)) return fitted->report;
+  return std::get<Hexahedra>(made).field.report();
 }
 
 crossgrain_status crossgrain_hexahedra_make(const char* path, const crossgrain_options* options,
@@ -65,13 +76,51 @@ crossgrain_status crossgrain_tet_field_hexahedra(const crossgrain_tet_field* fie
   });
 }
 
+crossgrain_status crossgrain_hexahedra_fit(const char* mesh, const char* model,
+                                           const crossgrain_options* options, crossgrain_monitor* monitor,
+                                           crossgrain_hexahedra** out, crossgrain_error** error) {
+  return made(out, error, [&] {
+    const std::filesystem::path path = &given(mesh, "mesh"), its_model = &given(model, "model");
+    const HexFitOptions& chosen = options_or_defaults<HexFitOptions>(options);
+    const HexMesh read = [&] {
+      const ReadLimits limits(monitor_of(monitor), chosen.max_memory_bytes);
+      return read_hexahedra(path);
+    }();
+    try {
+      return new crossgrain_hexahedra(fit_hexahedra(read, its_model, chosen, monitor_of(monitor)));
+    } catch (const Error& failure) {
+      throw failure.kind() == ErrorKind::kInput && failure.file().empty() ? failure.with_file(path.string())
+                                                                          : failure;
+    }
+  });
+}
+
+crossgrain_status crossgrain_hexahedra_fit_arrays(const double* vertices, size_t vertex_count,
+                                                  const uint32_t* corners, size_t count, const char* model,
+                                                  const crossgrain_options* options,
+                                                  crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                                  crossgrain_error** error) {
+  return made(out, error, [&] {
+    HexMesh mesh;
+    const auto coordinates = elements(vertices, vertex_count, 3, "vertices");
+    const auto indices = elements(corners, count, 8, "corners");
+    mesh.vertices.resize(vertex_count);
+    for (size_t k = 0; k < coordinates.size(); ++k) mesh.vertices[k / 3][k % 3] = coordinates[k];
+    mesh.hexahedra.resize(count);
+    for (size_t k = 0; k < indices.size(); ++k) mesh.hexahedra[k / 8][k % 8] = indices[k];
+    return new crossgrain_hexahedra(fit_hexahedra(mesh, std::filesystem::path(&given(model, "model")),
+                                                  options_or_defaults<HexFitOptions>(options),
+                                                  monitor_of(monitor)));
+  });
+}
+
 void crossgrain_hexahedra_free(crossgrain_hexahedra* hexahedra) {
   delete hexahedra;
 }
 
 crossgrain_hex_outcome crossgrain_hexahedra_outcome(const crossgrain_hexahedra* hexahedra) {
   if (hexahedra == nullptr) return {};
-  return static_cast<crossgrain_hex_outcome>(hexahedra->made.report().outcome);
+  return static_cast<crossgrain_hex_outcome>(hexahedra->report().hexahedra->outcome);
 }
 
 const char* crossgrain_hexahedra_sentence(const crossgrain_hexahedra* hexahedra) {
@@ -79,11 +128,11 @@ const char* crossgrain_hexahedra_sentence(const crossgrain_hexahedra* hexahedra)
 }
 
 size_t crossgrain_hexahedra_vertex_count(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra == nullptr ? 0 : hexahedra->made.mesh.vertices.size();
+  return hexahedra == nullptr ? 0 : hexahedra->mesh().vertices.size();
 }
 
 size_t crossgrain_hexahedra_count(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra == nullptr ? 0 : hexahedra->made.mesh.hexahedra.size();
+  return hexahedra == nullptr ? 0 : hexahedra->mesh().hexahedra.size();
 }
 
 size_t crossgrain_hexahedra_face_count(const crossgrain_hexahedra* hexahedra) {
@@ -91,12 +140,12 @@ size_t crossgrain_hexahedra_face_count(const crossgrain_hexahedra* hexahedra) {
 }
 
 const double* crossgrain_hexahedra_vertices(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra == nullptr ? nullptr : numbers_of(hexahedra->made.mesh.vertices);
+  return hexahedra == nullptr ? nullptr : numbers_of(hexahedra->mesh().vertices);
 }
 
 const uint32_t* crossgrain_hexahedra_corners(const crossgrain_hexahedra* hexahedra) {
   if (hexahedra == nullptr) return nullptr;
-  const auto& corners = hexahedra->made.mesh.hexahedra;
+  const auto& corners = hexahedra->mesh().hexahedra;
   return corners.empty() ? nullptr : corners.front().data();
 }
 
@@ -105,7 +154,7 @@ const double* crossgrain_hexahedra_scaled_jacobians(const crossgrain_hexahedra* 
 }
 
 const int32_t* crossgrain_hexahedra_regions(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra == nullptr ? nullptr : data_or_null(hexahedra->made.mesh.regions);
+  return hexahedra == nullptr ? nullptr : data_or_null(hexahedra->mesh().regions);
 }
 
 const uint32_t* crossgrain_hexahedra_faces(const crossgrain_hexahedra* hexahedra) {
@@ -117,25 +166,28 @@ const int32_t* crossgrain_hexahedra_face_tags(const crossgrain_hexahedra* hexahe
 }
 
 const char* crossgrain_hexahedra_unit(const crossgrain_hexahedra* hexahedra) {
-  return hexahedra == nullptr ? nullptr : hexahedra->made.mesh.unit.c_str();
+  return hexahedra == nullptr ? nullptr : hexahedra->mesh().unit.c_str();
 }
 
 crossgrain_status crossgrain_hexahedra_field(const crossgrain_hexahedra* hexahedra,
                                              crossgrain_tet_field** out, crossgrain_error** error) {
-  return made(out, error, [&] { return new crossgrain_tet_field{given(hexahedra, "hexahedra").made.field}; });
+  return made(out, error, [&] {
+    const auto* followed = std::get_if<Hexahedra>(&given(hexahedra, "hexahedra").made);
+    if (followed == nullptr) throw Error(ErrorKind::kUsage, "these hexahedra follow no field");
+    return new crossgrain_tet_field{followed->field};
+  });
 }
 
 crossgrain_status crossgrain_hexahedra_report(const crossgrain_hexahedra* hexahedra, char** json,
                                               crossgrain_error** error) {
-  return made(json, error,
-              [&] { return copy_of(report_json(given(hexahedra, "hexahedra").made.field.report())); });
+  return made(json, error, [&] { return copy_of(report_json(given(hexahedra, "hexahedra").report())); });
 }
 
 crossgrain_status crossgrain_hexahedra_write(const crossgrain_hexahedra* hexahedra, const char* path,
                                              int inverted, crossgrain_monitor* monitor,
                                              crossgrain_error** error) {
   return guarded(error, [&] {
-    write_hexahedra(given(hexahedra, "hexahedra").made.mesh, &given(path, "path"), monitor_of(monitor),
+    write_hexahedra(given(hexahedra, "hexahedra").mesh(), &given(path, "path"), monitor_of(monitor),
                     inverted != 0 ? InvertedHexahedra::kAllowed : InvertedHexahedra::kRefused);
   });
 }
@@ -145,7 +197,14 @@ crossgrain_status crossgrain_hexahedra_write_folder(const crossgrain_hexahedra* 
                                                     double read_seconds, crossgrain_monitor* monitor,
                                                     char** json, crossgrain_error** error) {
   return guarded(error, [&] {
-    const Hexahedra& written = given(hexahedra, "hexahedra").made;
+    const crossgrain_hexahedra::Made& made = given(hexahedra, "hexahedra").made;
+    if (const auto* fitted = std::get_if<FittedHexahedra>(&made)) {
+      const SolveReport report = write_fitted(*fitted, &given(folder, "folder"), monitor_of(monitor),
+                                              options_or_defaults<OutputChoices>(options));
+      if (json != nullptr) *json = copy_of(report_json(report));
+      return;
+    }
+    const Hexahedra& written = std::get<Hexahedra>(made);
     OutputOptions output = output_options_for(written.field, options);
     // These pointers own nothing: the handle outlives the call.
     output.hexahedra = {std::shared_ptr<const void>(), &written.mesh};

@@ -7,6 +7,7 @@
 
 #include "base/each_name.hpp"
 #include "c_interface/output_choices.hpp"
+#include "crossgrain/hex_fit.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
@@ -50,6 +51,13 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   for_each_inner_option("tets", options.tets, visit);
   for_each_inner_option("tags", options.tags, visit);
   for_each_inner_option("solve", options.solve, visit);
+}
+
+template <class Visit>
+void for_each_option(HexFitOptions& options, const Visit& visit) {
+  CROSSGRAIN_EACH(CROSSGRAIN_OPTION, visit, crease_angle_deg, read_seconds, glue, unit, max_memory_bytes,
+                  threads)
+  for_each_inner_option("tags", options.tags, visit);
 }
 
 CROSSGRAIN_OPTIONS(OutputChoices, level, clip, formats, hex_size, inverted_hexahedra, foreign_files, page)

@@ -64,6 +64,7 @@ constexpr Inner kInner[] = {
     {CROSSGRAIN_HEX_MESHING_OPTIONS, "solve.", CROSSGRAIN_SOLVE_OPTIONS},
     {CROSSGRAIN_HEX_MESHING_OPTIONS, "tets.", CROSSGRAIN_TET_MAKING_OPTIONS},
     {CROSSGRAIN_HEX_MESHING_OPTIONS, "tags.", CROSSGRAIN_TAG_OPTIONS},
+    {CROSSGRAIN_HEX_FIT_OPTIONS, "tags.", CROSSGRAIN_TAG_OPTIONS},
 };
 
 bool stand_for(std::string_view names, std::string_view name) {

@@ -251,7 +251,7 @@ TEST(ErrorsTellWhatIsWrongAndWhere) {
 
 TEST(EveryOptionKeepsWhatItHas) {
   size_t all = 0;
-  for (int k = CROSSGRAIN_SOLVE_OPTIONS; k <= CROSSGRAIN_HEX_MESHING_OPTIONS; ++k) {
+  for (int k = CROSSGRAIN_SOLVE_OPTIONS; k <= CROSSGRAIN_HEX_FIT_OPTIONS; ++k) {
     const crossgrain_options_kind kind = (crossgrain_options_kind)k;
     crossgrain_options* options = NULL;
     OK(crossgrain_options_new(kind, &options, &g_error));
@@ -844,6 +844,69 @@ TEST(HexahedraFollowAFieldThatIsThere) {
   crossgrain_domain_free(domain);
 }
 
+/* A cube of side 2 from the origin: each side is cut along a diagonal. */
+static void write_cube(const char* name) {
+  static const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  FILE* file = fopen(name, "w");
+  CHECK(file != NULL);
+  for (int k = 0; k < 8; ++k) fprintf(file, "v %d %d %d\n", 2 * (k & 1), k & 2, k / 4 * 2);
+  for (int k = 0; k < 6; ++k)
+    fprintf(file, "f %d %d %d %d\n", quads[k][0] + 1, quads[k][1] + 1, quads[k][2] + 1, quads[k][3] + 1);
+  CHECK(fclose(file) == 0);
+}
+
+/* Eight hexahedra in a smaller one. */
+static void lattice(double* vertices, uint32_t* corners) {
+  static const int places[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                   {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  for (int v = 0; v < 27; ++v) {
+    vertices[3 * v] = 0.1 + 0.9 * (v % 3);
+    vertices[3 * v + 1] = 0.1 + 0.9 * (v / 3 % 3);
+    vertices[3 * v + 2] = 0.1 + 0.9 * (v / 9);
+  }
+  for (int h = 0; h < 8; ++h)
+    for (int k = 0; k < 8; ++k)
+      corners[8 * h + k] =
+          (uint32_t)((h % 2 + places[k][0]) + 3 * (h / 2 % 2 + places[k][1]) + 9 * (h / 4 + places[k][2]));
+}
+
+TEST(HexahedraOfAnotherMesherArePutOntoAModel) {
+  double vertices[81];
+  uint32_t corners[64];
+  lattice(vertices, corners);
+  write_cube("cube.obj");
+  crossgrain_options* options = NULL;
+  OK(crossgrain_options_new(CROSSGRAIN_HEX_FIT_OPTIONS, &options, &g_error));
+  OK(crossgrain_options_set_number(options, "crease_angle_deg", 40, &g_error));
+  crossgrain_hexahedra *fitted = NULL, *again = NULL;
+  OK(crossgrain_hexahedra_fit_arrays(vertices, 27, corners, 8, "cube.obj", options, NULL, &fitted, &g_error));
+  CHECK(crossgrain_hexahedra_outcome(fitted) == CROSSGRAIN_ALL_HEX);
+  CHECK(crossgrain_hexahedra_count(fitted) == 8 && crossgrain_hexahedra_face_count(fitted) == 24);
+  for (int i = 0; i < 81; ++i)
+    CHECK(fabs(crossgrain_hexahedra_vertices(fitted)[i] - round(crossgrain_hexahedra_vertices(fitted)[i])) <
+          1e-6);
+  CHECK(memcmp(crossgrain_hexahedra_corners(fitted), corners, sizeof corners) == 0);
+  OK(crossgrain_hexahedra_write_folder(fitted, "cube.fitted", NULL, NULL, 0, NULL, NULL, &g_error));
+  CHECK(exists("cube.fitted/hexahedra.inp") && exists("cube.fitted/report.json") &&
+        !exists("cube.fitted/onto.vtu"));
+  OK(crossgrain_hexahedra_fit("cube.fitted/hexahedra.inp", "cube.obj", NULL, NULL, &again, &g_error));
+  CHECK(crossgrain_hexahedra_outcome(again) == CROSSGRAIN_ALL_HEX);
+  crossgrain_tet_field* field = NULL;
+  FAILS(CROSSGRAIN_USAGE, "follow no field", crossgrain_hexahedra_field(fitted, &field, &g_error));
+  crossgrain_hexahedra_free(again);
+  crossgrain_hexahedra_free(fitted);
+  for (int i = 0; i < 81; ++i) vertices[i] *= 1000;
+  FAILS(CROSSGRAIN_INPUT, "the model from 0 0 0 to 2 2 2",
+        crossgrain_hexahedra_fit_arrays(vertices, 27, corners, 8, "cube.obj", options, NULL, &fitted,
+                                        &g_error));
+  corners[5] = 27;
+  FAILS(CROSSGRAIN_USAGE, "hexahedron 0",
+        crossgrain_hexahedra_fit_arrays(vertices, 27, corners, 8, "cube.obj", options, NULL, &fitted,
+                                        &g_error));
+  crossgrain_options_free(options);
+}
+
 int main(int argc, char** argv) {
   const struct {
     const char* name;
@@ -876,6 +939,7 @@ int main(int argc, char** argv) {
       NAMED(HexahedraFillACubeOfTets),
       NAMED(HexahedraAreWrittenAloneAndWithTheirField),
       NAMED(HexahedraFollowAFieldThatIsThere),
+      NAMED(HexahedraOfAnotherMesherArePutOntoAModel),
   };
   for (size_t i = 0; i < sizeof tests / sizeof tests[0]; ++i) {
     if (argc > 1 && strcmp(argv[1], tests[i].name) != 0) continue;

@@ -148,6 +148,49 @@ class Hexahedra(WithFolder):
             self.assertEqual(self.cube.to_vtk().GetNumberOfCells(), 64)
 
 
+class HexahedraOfOtherMeshers(WithFolder):
+    def setUp(self):
+        super().setUp()
+        places = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)])
+        number = np.arange(5 * 3 * 4).reshape(5, 3, 4)
+        self.points = np.stack(np.meshgrid(*[np.arange(n) / 2 for n in (5, 3, 4)], indexing="ij"), axis=-1).reshape(-1, 3) * 0.94 + 0.03
+        self.cells = np.array([number[tuple((places + place).T)] for place in np.ndindex(4, 2, 3)])
+        vertices, triangles = box()
+        self.model = self.folder / "box.obj"
+        self.model.write_text("".join("v %r %r %r\n" % tuple(map(float, v)) for v in vertices)
+                              + "".join("f %d %d %d\n" % tuple(t + 1) for t in np.asarray(triangles)))
+
+    def test_are_put_onto_a_part_and_keep_their_order(self):
+        mesh = cg.fit((self.points, self.cells), self.model, threads=1)
+        self.assertTrue(mesh.is_all_hex, str(mesh))
+        np.testing.assert_array_equal(mesh.cells, self.cells)
+        self.assertAlmostEqual(volume_within(mesh.points, mesh.faces), 3, 9)
+        kept = mesh.features
+        self.assertEqual((kept["corners"], kept["creases"]), ({"all": 8, "kept": 8}, {"all": 12, "kept": 12}))
+        with self.assertRaisesRegex(cg.UsageError, "follow no field"):
+            mesh.field  # pylint: disable=pointless-statement
+
+    def test_are_the_same_from_arrays_files_folders_and_meshio(self):
+        mesh = cg.fit((self.points, self.cells), self.model)
+        mesh.write_folder(self.folder / "fitted")
+        self.assertFalse((self.folder / "fitted" / "onto.vtu").exists())
+        meshes = [self.folder / "fitted", self.folder / "fitted" / "hexahedra.inp", mesh]
+        if importlib.util.find_spec("meshio"):
+            meshes.append(mesh.to_meshio())
+        for given in meshes:
+            np.testing.assert_allclose(cg.fit(given, self.model).points, mesh.points, atol=1e-12)
+
+    def test_that_are_none_are_refused(self):
+        with self.assertRaisesRegex(TypeError, r"cells: an array \(m, 8\) of whole numbers is needed"):
+            cg.fit((self.points, self.cells[:, :4]), self.model)
+        with self.assertRaisesRegex(TypeError, "corners that are none of the 60 points"):
+            cg.fit((self.points, self.cells + 1), self.model)
+        with self.assertRaisesRegex(TypeError, "a file of hexahedra, points and cells"):
+            cg.fit(3, self.model)
+        with self.assertRaisesRegex(cg.InputError, "give both in the same unit and place"):
+            cg.fit((1000 * self.points, self.cells), self.model)
+
+
 @needs_gmsh
 class HexahedraOfModels(WithFolder):
     def test_fill_a_box_of_triangles_and_know_its_faces(self):

@@ -15,7 +15,7 @@ from crossgrain import _interface, _library, _options
 
 DOCS = Path(__file__).parents[2] / "docs"
 PARTS = {"hexahedra": "HexOptions", "tets": "TetMakingOptions", "tags": "TetTagOptions", "solve": "SolveOptions"}
-LISTED = ["SolveOptions", "ReadOptions", "TetTagOptions", "MapPreparationOptions", "OutputOptions", "TetMakingOptions", "RepairOptions", "HexOptions", "StreamlineOptions",
+LISTED = ["SolveOptions", "HexFitOptions", "ReadOptions", "TetTagOptions", "MapPreparationOptions", "OutputOptions", "TetMakingOptions", "RepairOptions", "HexOptions", "StreamlineOptions",
           "PictureOptions"]
 KINDS = {name: getattr(cg, name)._kind for name in [*LISTED, "HexMeshingOptions"]}
 MOST_NAMES = 45
@@ -47,6 +47,7 @@ class ListedOptions(unittest.TestCase):
     def test_are_those_of_the_library(self):
         listed = {of: [name for name, structs, *_ in self.rows if of in structs.split(", ")] for of in LISTED}
         listed["HexMeshingOptions"] = [f"{part}.{name}" for part, of in PARTS.items() for name in listed[of]]
+        listed["HexFitOptions"] += [f"tags.{name}" for name in listed["TetTagOptions"]]
         for of, types in self.types.items():
             self.assertEqual(sorted(listed[of]), sorted(types), of)
 
@@ -60,7 +61,7 @@ class ListedOptions(unittest.TestCase):
         self.assertLessEqual(len(self.rows), MOST_NAMES)
 
     def test_have_the_flags_of_the_program(self):
-        commands = ("solve", "tets", "hex", "render", "streamlines")
+        commands = ("solve", "tets", "hex", "fit", "render", "streamlines")
         texts = [subprocess.run([os.environ["CROSSGRAIN_PROGRAM"], "help", command], stdout=subprocess.PIPE, check=True).stdout.decode() for command in commands]
         flags = set(re.findall(r"--[a-z-]+", "".join(texts)))
         for name, _, named, *_ in self.rows:
