@@ -68,11 +68,12 @@ def fit(mesh: Any, model: Any, *, crease_angle_deg: Optional[float] = None, thre
                           max_memory_bytes=max_memory_bytes)
     handle = handle_of(with_changes(options, HexFitOptions, changes))
     path = path_bytes(model)
+    what: Tuple[Any, ...]
     if is_path(mesh):
-        name, what = "hexahedra_fit", [path_bytes(mesh)]
+        name, what = "hexahedra_fit", (path_bytes(mesh),)
     else:
         points, cells = _arrays_of(mesh)
-        name, what = "hexahedra_fit_arrays", [address(points), len(points), address(cells), len(cells)]
+        name, what = "hexahedra_fit_arrays", (address(points), len(points), address(cells), len(cells))
     with listener(progress) as hear:
         fitted = watched(lambda monitor: made("hexahedra", name, *what, path, handle, monitor.handle), hear)
     return HexMesh(fitted, path.decode("utf-8", "surrogateescape"))
