@@ -43,7 +43,7 @@ const char* fault_of_larger(const HexReport& report, double expected) {
 
 /// How many hexahedra the features of the model have added.
 std::size_t added_by_fit(const HexReport& report) {
-  return report.fit_tries.empty() ? 0 : report.fit_tries[report.best_fit].added;
+  return report.best_fit < report.fit_tries.size() ? report.fit_tries[report.best_fit].added : 0;
 }
 
 /// Returns number and size of hexahedra; of those that fill the model with what was expected where they are
@@ -147,6 +147,7 @@ std::string way_of(const HexReport& report) {
     const std::string fit = way_of_fit(report);
     return fit.empty() ? "as given, since no fit is better" : fit.substr(2);
   }
+  if (report.best_attempt >= report.attempts.size()) return "";
   const HexAttempt& best = report.attempts[report.best_attempt];
   std::size_t last = 0;
   std::string size;

@@ -35,6 +35,16 @@ constexpr const char* kProgram = "Crossgrain";
 /// With its value it is kJsonSolve.
 constexpr const char* kSolveKey = "solve";
 
+/// Throws unless the places in lists of a report are in them; 0 may be that of an empty list.
+void check_places_in_lists(const InputFile& file, const HexReport& report) {
+  const auto check = [&](const char* name, std::size_t place, std::size_t size) {
+    if (place > 0 && place >= size)
+      fail_input(file, {}, fmt::format("'{}' is {} in a list of {}", name, place, size), Remedy::kSolveAgain);
+  };
+  check("best_attempt", report.best_attempt, report.attempts.size());
+  check("best_fit", report.best_fit, report.fit_tries.size());
+}
+
 }  // namespace
 
 std::string report_json(const SolveReport& report) {
@@ -133,6 +143,7 @@ SolveReport read_report(const std::filesystem::path& path) {
     fail_input(file, {}, "names no solve", Remedy::kCopyOrSolveAgain);
   describe_results(reader, report);
   describe_doubts(reader, report);
+  if (report.hexahedra) check_places_in_lists(file, *report.hexahedra);
   report.answer.is_meshed = report.hexahedra.has_value();
   return report;
 }

@@ -309,6 +309,17 @@ std::vector<std::string> made_constraints() {
               {"at": [1, 2, 3], "stress": [1, 2, 3, 4, 5, 6], "weight": 1e-3}]})"};
 }
 
+std::vector<std::string> made_reports() {
+  SolveReport report = sample_report();
+  HexReport& hexahedra = report.hexahedra.emplace();
+  hexahedra.attempts.resize(2);
+  hexahedra.best_attempt = hexahedra.attempts[1].number = 1;
+  hexahedra.fit_tries.resize(2);
+  hexahedra.best_fit = 1;
+  hexahedra.features.emplace().lacking.resize(1);
+  return {json_of(sample_report()).dump(1), json_of(report).dump(1)};
+}
+
 /// Each names what a mutation shall change.
 std::vector<std::string> made_hex_options() {
   const std::string few = "solve.resolution 4\nhexahedra.cells 2\n";
@@ -351,7 +362,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "singularity_arrays") return {singularity_bytes()};
   if (reader == "streamline_arrays") return {streamline_bytes()};
   if (reader == "hexahedron_arrays") return hexahedron_bytes();
-  if (reader == "report") return {json_of(sample_report()).dump(1)};
+  if (reader == "report") return made_reports();
   if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};
   if (reader == "constraints") return made_constraints();

@@ -133,6 +133,8 @@ TEST(WayOfHexahedra, TellsTheAttemptThatMadeThemOfAllThatWereMade) {
   EXPECT_EQ(way_of(report), "attempt 1 of 3: field on 500 tets of 3, repaired");
   report.best_attempt = 2;
   EXPECT_EQ(way_of(report), "attempt 2 of 3: field on 500 tets of 3, repaired, part of the model");
+  report.best_attempt = report.attempts.size();
+  EXPECT_EQ(way_of(report), "");
 }
 
 TEST(SentenceOfHexahedra, EndsWithReasonAndRemedy) {

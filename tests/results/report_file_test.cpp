@@ -149,5 +149,30 @@ TEST_F(NamesInReports, OfAnEarlierSchemaAreNotLookedAt) {
             "has schema 3 and this program reads " + now);
 }
 
+TEST(PlacesInLists, AreRefusedWhereTheyAreInNone) {
+  const TemporaryFolder folder;
+  SolveReport report;
+  report.hexahedra.emplace().attempts.resize(2);
+  report.hexahedra->best_attempt = 1;
+  const std::string text = report_json(report);
+  const auto read = [&](const std::string& name, const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find('"' + name + "\": " + from), name.size() + from.size() + 4,
+                    '"' + name + "\": " + to);
+    return read_report(folder.write("report.json", changed));
+  };
+  EXPECT_EQ(read("best_attempt", "1", "0").hexahedra->best_attempt, 0u);
+  for (const auto& [name, from] : {std::pair{"best_attempt", "1"}, {"best_fit", "0"}}) {
+    try {
+      read(name, from, "1000000");
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kInput);
+      EXPECT_EQ(error.text().find("'" + std::string(name) + "' is 1000000 in a list of "), 0u)
+          << error.text();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace crossgrain
