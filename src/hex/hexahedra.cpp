@@ -130,7 +130,7 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
   explain(best, report);
   SolveReport whole = field.report();
-  judge_solids(mesh, extracted.centre_tets, field.domain(), contacts, report, whole);
+  judge_solids(mesh, {extracted.centre_tets, followed.solid()}, field.domain(), contacts, report, whole);
   if (report.outcome == HexOutcome::kAllHex) {
     if (features) report.features = features_kept(mesh, *features, report.used_size);
     judge_features(mesh, report);

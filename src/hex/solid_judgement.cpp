@@ -62,12 +62,12 @@ Vector3 place_in(std::int32_t number, const std::vector<std::int32_t>& solids, c
   return place;
 }
 
-EmptySolids empty_solids(const std::vector<std::uint32_t>& centre_tets, const TetSolid& model) {
-  const std::vector<std::int32_t> solids = solids_of_tets(model);
+EmptySolids empty_solids(const CentreTets& centres) {
+  const std::vector<std::int32_t> solids = solids_of_tets(centres.solid);
   std::set<std::int32_t> empty(solids.begin(), solids.end());
-  for (const std::uint32_t tet : centre_tets) empty.erase(solids[tet]);
+  for (const std::uint32_t tet : centres.of_hexahedra) empty.erase(solids[tet]);
   if (empty.empty()) return {};
-  return {{empty.begin(), empty.end()}, place_in(*empty.begin(), solids, model)};
+  return {{empty.begin(), empty.end()}, place_in(*empty.begin(), solids, centres.solid)};
 }
 
 /// "solid 2 has no hexahedra, around 1 2 3".
@@ -101,7 +101,7 @@ void remove_contacts(const std::vector<Warning>& of_model, std::vector<Warning>&
 
 }  // namespace
 
-void judge_solids(const HexMesh& mesh, const std::vector<std::uint32_t>& centre_tets, const TetDomain& domain,
+void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomain& domain,
                   const std::vector<BodyContact>& contacts, HexReport& report, SolveReport& whole) {
   const TetSolid& model = domain.data().solid;
   const bool is_united = whole.onto->united;
@@ -121,7 +121,7 @@ void judge_solids(const HexMesh& mesh, const std::vector<std::uint32_t>& centre_
   const bool is_whole = report.outcome == HexOutcome::kAllHex;
   if (!contacts.empty()) remove_contacts(domain.warnings(), whole.warnings);
   if (!contacts.empty() && !(are_in_contact && is_whole)) whole.warnings.push_back(warning_of(contacts));
-  const EmptySolids empty = is_united ? EmptySolids() : empty_solids(centre_tets, model);
+  const EmptySolids empty = is_united ? EmptySolids() : empty_solids(centres);
   const bool has_empty = !empty.numbers.empty();
   if (are_in_contact && is_whole) judge_contacts(contacts, report);
   if (has_empty && is_whole && !are_in_contact)

@@ -2,11 +2,21 @@
 // Whether hexahedra are what a model of several solids asks for.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "crossgrain/hexahedra.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "measure/body_contacts.hpp"
+#include "tets/tet_solid.hpp"
 
 namespace crossgrain {
+
+/// The tets that hold the centres of hexahedra.
+struct CentreTets {
+  const std::vector<std::uint32_t>& of_hexahedra;
+  const TetSolid& solid;  ///< that was mapped: with the tets that the map has split, unlike the model
+};
 
 /// Judges complete hexahedra by the solids of their model (its tets, with all their contacts), in two ways.
 /// Sets HexOutcome::kPartial with reason, remedy and places where solids touch without common vertices,
@@ -14,12 +24,11 @@ namespace crossgrain {
 /// (WarningKind::kCrossedInterfaces) where the faces between hexahedra of two solids are off the faces
 /// between these. A model whose solids are united is asked only about those that share no vertices.
 ///
-/// `centre_tets` are the tets that hold the centres of the hexahedra. Solids are the regions of the tets, or
-/// bodies where they have none.
+/// Solids are the regions of the tets, or bodies where they have none.
 ///
 /// `whole` is the report of the field: it gets the warnings, also that of solids that meet only in an edge or
 /// a point, and loses those of the field about solids that meet, which say otherwise the same.
-void judge_solids(const HexMesh& mesh, const std::vector<std::uint32_t>& centre_tets, const TetDomain& domain,
+void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomain& domain,
                   const std::vector<BodyContact>& contacts, HexReport& report, SolveReport& whole);
 
 }  // namespace crossgrain

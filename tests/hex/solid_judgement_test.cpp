@@ -9,6 +9,7 @@
 #include "crossgrain/hexahedra.hpp"
 #include "crossgrain/solve.hpp"
 #include "hex/solid_judgement.hpp"
+#include "solve/tet_domain_data.hpp"
 #include "tets/several_tet_meshes.hpp"
 
 namespace crossgrain {
@@ -87,7 +88,8 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
   const TetMesh tets = two_regions(0.4);
   std::vector<std::uint32_t> all(tets.tets.size());
   std::iota(all.begin(), all.end(), 0u);
-  judge_solids(made.mesh, all, TetDomain(tets), {}, report, whole);
+  const TetDomain domain(tets);
+  judge_solids(made.mesh, {all, domain.data().solid}, domain, {}, report, whole);
   const std::vector<Warning>& warnings = whole.warnings;
   ASSERT_TRUE(warns_of_interfaces(warnings));
   EXPECT_NE(
@@ -107,14 +109,29 @@ TEST(SolidJudgement, NamesBodiesWithoutHexahedraWhereTetsHaveNoRegions) {
   HexReport report = made.report();
   report.outcome = HexOutcome::kPartial;
   SolveReport whole = made.field.report();
-  judge_solids(made.mesh, centres, TetDomain(tets), {}, report, whole);
+  const TetDomain domain(tets);
+  judge_solids(made.mesh, {centres, domain.data().solid}, domain, {}, report, whole);
   ASSERT_FALSE(whole.warnings.empty());
   EXPECT_EQ(whole.warnings.back().kind, WarningKind::kEmptySolids);
   EXPECT_EQ(whole.warnings.back().text.find("body 2 has no hexahedra, around 5."), 0u)
       << whole.warnings.back().text;
   report.outcome = HexOutcome::kAllHex;
-  judge_solids(made.mesh, centres, TetDomain(tets), {}, report, whole);
+  judge_solids(made.mesh, {centres, domain.data().solid}, domain, {}, report, whole);
   EXPECT_EQ(report.outcome, HexOutcome::kPartial);
+}
+
+TEST(SolidJudgement, LooksForHexahedraInTheTetsThatTheMapHasSplit) {
+  const Hexahedra made = made_of(two_regions(0));
+  // All centres lie in tets that the model has not.
+  const TetSolid split =
+      solid_of(with_regions(box({4, 2, 12}), [](const Vector3& p) { return p[0] < 2 ? 1 : 2; }));
+  const TetDomain domain(two_regions(0));
+  std::vector<std::uint32_t> centres(split.mesh.tets.size() - domain.mesh().tets.size());
+  std::iota(centres.begin(), centres.end(), static_cast<std::uint32_t>(domain.mesh().tets.size()));
+  HexReport report = made.report();
+  SolveReport whole = made.field.report();
+  judge_solids(made.mesh, {centres, split}, domain, {}, report, whole);
+  EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
 }
 
 TEST(SolidJudgement, OfASolidWithoutHexahedraIsFlawed) {
