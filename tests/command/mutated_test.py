@@ -43,7 +43,8 @@ class Mutated(CommandTest):
         try:
             errors = process.communicate(timeout=TIME_S)[1]
         except subprocess.TimeoutExpired:
-            process.send_signal(signal.SIGINT)
+            # SIGINT is ignored by what a shell runs in the background.
+            process.send_signal(signal.SIGTERM)
             try:
                 errors = process.communicate(timeout=TIME_TO_END_S)[1]
             except subprocess.TimeoutExpired:
