@@ -138,7 +138,7 @@ class OfSolidsThatHexahedraDoNotFit(CheckTest):
         self.assertIn("fillet or a chamfer", report["answer"])
         # The summary says how many patches there are, and where their numbers stand.
         summary = self.run_here("solve", "part.stl", "-o", "out", "--resolution", "8", "--no-report").stdout
-        self.assertRegex(summary, r"(?m)^patches    5 between sharp edges, numbered in report.json .* render out --colour face$")
+        self.assertRegex(summary, r"(?m)^patches    5 between sharp edges, numbered in report.json; a picture: crossgrain render out --colour face$")
 
     def test_an_edge_of_45_degrees_is_undecided(self):
         report = self.answer(prism_stl([(0, 0), (2, 0), (2, 2)]))

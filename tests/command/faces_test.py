@@ -68,7 +68,7 @@ class Faces(CommandTest):
         self.assertEqual(self.warnings_of(report, "faces_without_quads"), [])
         hexahedra = report["hexahedra"]
         self.assertEqual((hexahedra["outcome"], hexahedra["features"]["lacking"]), ("all-hex", []))
-        self.assertEqual([hexahedra["fit_tries"][0]["lacking"] > 0, hexahedra["fit_tries"][hexahedra["best_fit"]]["way"]], [True, "fitted"])
+        self.assertEqual([hexahedra["fit_tries"][0]["lacking"] > 0, hexahedra["fit_tries"][hexahedra["best_fit"]]["way"]], [True, "snapped"])
         self.assertGreater(hexahedra["scaled_jacobian"]["min"], 0.7)
         self.assertIn("6 of 6 faces kept", self.printed)
 
