@@ -70,12 +70,15 @@ FeatureComplex features_of_surface(TriangleMesh surface, const CreaseAngles& ang
 }
 
 HexFeatures features_kept(const HexMesh& mesh, const FeatureComplex& features, double size) {
-  HexFeatures kept;
-  if (features.faces.size() > kMostListedFaces) return kept;
+  if (features.faces.size() > kMostListedFaces) return {};
   // Hexahedra of several solids are one here: what is between them is judged apart (judge_solids).
   HexMesh united = mesh;
   united.regions.clear();
-  const FeatureMeasure measured = sharp_feature_measure(united, features, size);
+  return features_kept(sharp_feature_measure(united, features, size));
+}
+
+HexFeatures features_kept(const FeatureMeasure& measured) {
+  HexFeatures kept;
   const auto kept_of = [](const FeatureMeasure::Kept& all) { return HexFeatures::Kept{all.all, all.kept}; };
   kept.corners = kept_of(measured.corners);
   kept.creases = kept_of(measured.curves);

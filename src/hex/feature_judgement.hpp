@@ -6,6 +6,7 @@
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/hex_report.hpp"
 #include "crossgrain/tet_domain.hpp"
+#include "measure/feature_measure.hpp"
 #include "surface/feature_complex.hpp"
 
 namespace crossgrain {
@@ -19,6 +20,9 @@ FeatureComplex features_of_surface(TriangleMesh surface, const CreaseAngles& ang
 
 /// Returns what hexahedra that close up keep of features, in sizes of `size`.
 HexFeatures features_kept(const HexMesh& mesh, const FeatureComplex& features, double size);
+
+/// The same of hexahedra of one region that are measured already (sharp_feature_measure).
+HexFeatures features_kept(const FeatureMeasure& measured);
 
 /// Judges a result that is kAllHex so far by its features and its volume: kApproximate if it lacks any of
 /// these, with reason, places and what to try; kPartial if it has another topology than its model. The report

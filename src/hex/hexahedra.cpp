@@ -93,6 +93,7 @@ void fit(const FeatureComplex& features, const AttemptQueue& queue, HexMesh& mes
   FeatureFit fitted = fitted_to_features(mesh, features, report.used_size);
   if (fitted.is_stopped && !queue.may_be_stopped()) watched.check();
   mesh = std::move(fitted.best.mesh);
+  if (!fitted.tries.empty()) report.features = features_kept(fitted.best.measure);
   report.fit_tries = std::move(fitted.tries);
   report.best_fit = fitted.best_try;
   end.is_stopped |= fitted.is_stopped;
@@ -132,9 +133,11 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   SolveReport whole = field.report();
   judge_solids(mesh, {extracted.centre_tets, followed.solid()}, field.domain(), contacts, report, whole);
   if (report.outcome == HexOutcome::kAllHex) {
-    if (features) report.features = features_kept(mesh, *features, report.used_size);
+    if (features && !report.features) report.features = features_kept(mesh, *features, report.used_size);
     judge_features(mesh, report);
     explain_shapes(queue.least_quality(), report);
+  } else {
+    report.features.reset();
   }
   mesh.is_partial = is_partial(report.outcome);
   count_quads(mesh, whole.faces);
