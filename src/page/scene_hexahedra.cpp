@@ -68,6 +68,11 @@ void add_hexahedra(const HexMesh& mesh, const Vector3& origin, std::size_t most,
   scene.add("hex_corners", 8, corners);
   scene.add("hex_shape", 1, column<float>(shown, [&](std::uint32_t h) { return shapes[h]; }));
   scene.add("hex_face", 6, tags_of_faces(mesh, shown));
+  if (!mesh.regions.empty()) {
+    std::vector<std::int32_t> regions;
+    for (const std::uint32_t hexahedron : shown) regions.push_back(mesh.regions[hexahedron]);
+    add_regions(regions, mesh.regions, "hex_region", "hex_regions", scene);
+  }
   const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh);
   const auto inverted = std::ranges::count(is_inverted, 1);
   if (inverted > 0)

@@ -152,6 +152,29 @@ TEST(PageScene, TellsTheFacesOfHexahedra) {
   EXPECT_EQ(header_of(untagged.bytes())["arrays"]["hex_face"]["shape"][0], 0);
 }
 
+TEST(PageScene, TellsTheRegionsOfHexahedraWhereThereAreSeveral) {
+  HexMesh mesh = made_bricks({1, 1, 3}, {1, 1, 3});
+  const auto header_with = [&](std::vector<std::int32_t> regions) {
+    mesh.regions = std::move(regions);
+    SceneWriter scene;
+    add_hexahedra(mesh, {0, 0, 0}, 3, scene);
+    return header_of(scene.bytes());
+  };
+  const nlohmann::json header = header_with({8, 3, 8});
+  EXPECT_EQ(header["hex_regions"], (nlohmann::json{3, 8}));
+  EXPECT_EQ(header["arrays"]["hex_region"]["shape"], (nlohmann::json{3}));
+  EXPECT_EQ(header["arrays"]["hex_region"]["type"], "u16");
+  SceneWriter scene;
+  add_hexahedra(mesh, {0, 0, 0}, 3, scene);
+  const std::string bytes = scene.bytes();
+  std::vector<std::uint16_t> places(3);
+  std::memcpy(places.data(), data_of(bytes) + header["arrays"]["hex_region"]["offset"].get<std::size_t>(),
+              3 * sizeof places[0]);
+  EXPECT_EQ(places, (std::vector<std::uint16_t>{1, 0, 1}));
+  EXPECT_FALSE(header_with({3, 3, 3}).contains("hex_regions"));
+  EXPECT_FALSE(header_with({}).contains("hex_regions"));
+}
+
 TEST(PageScene, HasAllHexahedraWhereThereAreFew) {
   const HexMesh mesh = made_bricks({4, 3, 2}, {4, 3, 2});
   SceneWriter scene;
