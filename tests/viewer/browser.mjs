@@ -138,7 +138,7 @@ async function restore_there([{ theme, cut, glyph, layers }, hash, folds]) {
   document.body.prepend(start);
   start.focus();
   start.remove();
-  await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, below: 1, hexahedron: -1, alone: false, face: null, marked: null });
+  await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, below: 1, hex_color: "shape", hexahedron: -1, alone: false, face: null, marked: null });
   [...document.querySelectorAll("details")].forEach((one, k) => (one.open = folds[k] ?? one.open));
   const restored = new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
   history.replaceState(null, "", location.pathname);

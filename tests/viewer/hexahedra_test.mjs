@@ -26,10 +26,12 @@ test("hexahedra are shown first, cut, with what the report says of them", async 
   assert.equal(await page.locator(by_test("tab-field")).innerText(), "Mesh");
   assert.match(await page.locator(by_test("hexahedra")).innerText(), /^!\s*Partial mesh: 432 hexahedra\s+1 hexahedron is inverted; take tets with edges of 3\.6\.\s+1\s+Worst hexahedron: −1, inverted\s+2\s+Worst fit: mesh up to 0\.13 mm off the surface$/i);
   assert.match(await page.locator(by_test("badge")).textContent(), /partial mesh$/i);
-  assert.match(await page.locator(by_test("shown")).innerText(), /^\d+ hexahedra shown\.$/);
-  const legend = (await page.locator(by_test("legend-hexahedra")).innerText()).replace(/\s+/g, " ");
-  assert.match(legend, /^Hexahedra in the mesh 432 shown \d+ inverted 1$/);
-  assert.equal(await page.locator(by_test("legend-ramp")).count(), 1);
+  assert.match(await page.locator(by_test("shown")).innerText(), /^\d+ of 432 hexahedra$/);
+  const legend = (await page.locator("#legend-body").innerText()).replace(/\s+/g, " ");
+  assert.equal(legend, "Scaled Jacobian 0 0.5 1 −1 at least, 0.99 in the mean inverted 1");
+  assert.equal(await page.locator(by_test("places-where-it-fails")).count(), 0, "the worst hexahedron has its button");
+  assert.match(await page.locator(by_test("about")).innerText(), /^About this mesh\s+Model\s/);
+  assert.doesNotMatch(await page.locator(by_test("about")).innerText(), /Resolution|Harmonics/);
   assert.deepEqual(problems, []);
 });
 
@@ -42,7 +44,7 @@ test("a cut takes away the hexahedra whose centres are above it", async () => {
       const at = low - 2 * low * position;
       const expected = mesh.hexahedra.filter((corners) => center_of(corners)[k] < at).length;
       assert.equal((await state(page)).hexahedra, expected, `${axis} ${position}`);
-      assert.equal(await page.locator(by_test("shown")).innerText(), `${expected} hexahedra shown.`);
+      assert.equal(await page.locator(by_test("shown")).innerText(), `${expected} of ${total} hexahedra`);
     }
   }
   await change(page, { cut: { clip: false } });
@@ -98,7 +100,7 @@ test("the field is there where it is asked for, and only then what concerns it a
   await page.locator("label", { has: page.locator(by_test("mesh-field")) }).click();
   assert.equal(await page.locator(by_test("glyph-density")).isVisible(), true);
   assert.match(await page.locator(by_test("shown")).innerText(), /^The field on [\d,]+ tets\.$/);
-  assert.equal(await page.locator(by_test("legend-hexahedra")).count(), 0);
+  assert.doesNotMatch(await page.locator("#legend-body").innerText(), /Scaled Jacobian/);
   assert.ok((await difference(page, solid, await picture(page))).mean > 0.01);
   await page.locator("label", { has: page.locator(by_test("mesh-hexahedra")) }).click();
   assert.equal(await picture(page), solid);
@@ -120,12 +122,89 @@ test("sizes, numbers, worst hexahedron, fit, way and files stand beside what was
   const other = await open(page_file("exact", filled_page(template, exact, null)));
   assert.equal(await other.page.locator(by_test("mesh-fit")).innerText(), "volume ±0 %, area ±0 % of the CAD model; on the surface");
   await other.page.close();
+  const beside = { ...report, hexahedra: { ...exact.hexahedra, largest_distance_of_model: 0.03 } };
+  const third = await open(page_file("beside", filled_page(template, beside, null)));
+  assert.equal(await third.page.locator(by_test("mesh-fit")).innerText(), "volume ±0 %, area ±0 % of the CAD model; surface up to 0.03 mm from the mesh");
+  await third.page.close();
   // Numbers of the field say nothing of the mesh.
   for (const test of ["number-energy", "alignment-max", "levels", "answer"]) assert.equal(await page.locator(by_test(test)).isVisible(), false, test);
   await page.locator(`${by_test("field-of-mesh")} > summary`).click();
   assert.equal(await page.locator(by_test("answer")).textContent(), report.answer);
   assert.ok(await page.locator(by_test("number-energy")).isVisible());
   await page.locator(`${by_test("field-of-mesh")} > summary`).click();
+});
+
+test("singular lines are those of the field until they are asked for on the mesh", async () => {
+  const { page } = await shared_page("hexahedra");
+  await change(page, { cut: { on: false }, below: 0.5 });
+  const without = await picture(page);
+  const [lines, of_mesh] = [by_test("show-arcs"), by_test("show-mesh_lines")];
+  assert.equal(await page.locator(lines).isVisible(), false);
+  assert.equal(await page.locator(of_mesh).isChecked(), false);
+  await page.locator("label", { has: page.locator(of_mesh) }).click();
+  assert.ok((await difference(page, without, await picture(page))).mean > 0.001);
+  assert.match(await page.locator(by_test("legend-arcs")).innerText(), /Singular lines, on the tets/);
+  assert.match(await page.evaluate(() => window.crossgrain.link()), /show=[^&]*mesh_lines/);
+  await page.keyboard.press("s");
+  assert.equal(await picture(page), without);
+  await change(page, { layers: { hexahedra: false } });
+  assert.equal(await page.locator(lines).isChecked(), true);
+});
+
+test("hexahedra take the colours of faces and of regions, and the legend and links say so", async () => {
+  const { page } = await shared_page("all_hex");
+  const colors = new Set([await picture(page)]);
+  assert.equal(await page.locator(by_test("hex-color-shape")).isChecked(), true);
+  for (const [color, legend] of [["face", /^Faces of the model\s+A colour for each of 6; a click tells its number\.$/], ["region", /^Regions\s+3\s+8$/]]) {
+    await page.locator("label", { has: page.locator(by_test(`hex-color-${color}`)) }).click();
+    assert.match(await page.locator("#legend-body").innerText(), legend);
+    colors.add(await picture(page));
+    await keep_screenshot(page, `hex-color-${color}-desktop-light`);
+  }
+  assert.equal(colors.size, 3);
+  const link = await page.evaluate(() => window.crossgrain.link());
+  assert.match(link, /hexahedra=region/);
+  await page.locator("#view").press("m");
+  assert.equal((await state(page)).hex_color, "shape");
+  await page.evaluate((hash) => (location.hash = hash), new URL(link).hash);
+  await page.waitForFunction(() => window.crossgrain.state().hex_color === "region");
+  await change(page, { hex_color: "shape" });
+  // A mesh of one region has no colours for it.
+  const { page: other } = await shared_page("hexahedra");
+  assert.equal(await other.locator(by_test("hex-color-face")).count(), 1);
+  assert.equal(await other.locator(by_test("hex-color-region")).count(), 0);
+});
+
+test("the cut moves to a place that it has taken away or that hexahedra hide, and not to one that is seen", async () => {
+  const { page } = await shared_page("all_hex");
+  const fit = page.locator(by_test("worst-place"), { hasText: "Worst fit" });
+  // On the edge between the sides of high x and high y.
+  const at = scene_named("all_hex").report.hexahedra.largest_distance_place;
+  const is_kept = ({ cut: { axis, position, flip } }) => {
+    const k = "xyz".indexOf(axis);
+    const [low, high] = k === 2 ? [-20, 20] : [-10, 10];
+    const above = at[k] - (low + position * (high - low));
+    return (flip ? -above : above) <= 1e-6;
+  };
+  for (const [cut, view] of [[{ on: true, axis: "x", position: 0.4, flip: false }, "right"], [{ on: true, axis: "x", position: 0.9, flip: true }, "left"], [{ on: false }, "front"]]) {
+    await change(page, { cut: { clip: true, ...cut } });
+    await page.evaluate((name) => window.crossgrain.setView(name), view);
+    await page.locator(by_test("tab-field")).click();
+    await fit.click();
+    const there = await state(page);
+    assert.ok(there.cut.on && is_kept(there), `${JSON.stringify(there.cut)}`);
+    // What is picked there is a hexahedron that has the place.
+    const picked = await page.evaluate((point) => window.crossgrain.pickAt(...window.crossgrain.screenOf(point)), at.map((value, k) => (k < 2 ? value - 0.5 : value)));
+    assert.ok(picked && Math.hypot(...picked.center.map((value, k) => value - at[k])) < 4, `${JSON.stringify(picked)}`);
+    await page.locator(by_test("tag-clear")).click();
+  }
+  await keep_screenshot(page, "worst-fit-desktop-light");
+  await change(page, { cut: { on: false } });
+  await page.evaluate(() => window.crossgrain.setView("right"));
+  await page.locator(by_test("tab-field")).click();
+  await fit.click();
+  assert.equal((await state(page)).cut.on, false);
+  await page.locator(by_test("tag-clear")).click();
 });
 
 /** Pixels near one: how many have the colour of what is picked, and how many lie about where the hexahedron is seen. */

@@ -134,6 +134,25 @@ for (const name of of_the_day(["hexahedra", "components", "tets"], "hexahedra"))
   });
 }
 
+test("on a screen of 1024 x 768 most of the width is for the part, and the controls are a tab away", async () => {
+  const { page } = await shared_page("hexahedra", { device: { viewport: { width: 1024, height: 768 } } });
+  const { left, right } = await page.evaluate(() => window.crossgrain.free());
+  assert.ok(right - left > 0.65 * 1024, `${right - left}`);
+  assert.equal(await page.locator('[data-testid="panel-view"]').isVisible(), false);
+  await check_layout(page, "hexahedra", "1024x768");
+  await page.locator('[data-testid="tab-view"]').click();
+  assert.ok(await page.locator('[data-testid="cut-position"]').isVisible());
+  assert.deepEqual(await page.evaluate(hidden_texts), [], "with the controls");
+  await keep_schemes(page, "layout-hexahedra-view-1024x768");
+});
+
+test("the legend of the field that hexahedra follow stands in one row at 1400 x 900", async () => {
+  const { page } = await shared_page("hexahedra", { device: { viewport: { width: 1400, height: 900 } } });
+  await page.evaluate(() => window.crossgrain.change({ layers: { hexahedra: false } }));
+  const tops = await page.locator("#legend-body > *").evaluateAll((blocks) => blocks.map((block) => block.getBoundingClientRect().top));
+  assert.ok(tops.length > 1 && new Set(tops).size === 1, `${tops}`);
+});
+
 /** The contrast by WCAG of what is at each point of lines, the most of a few pixels, to what is at a point of a face; runs in the page. */
 async function contrasts_there(pairs) {
   await window.crossgrain.drawn();

@@ -7,13 +7,13 @@ import { faces_of_model, facing_of, point_of, triangles_of_face, type ModelFace 
 import { faults_of, is_drawn_anyway, of_starting_grid } from "./scene/faults.ts";
 import type { Report } from "./scene/report.ts";
 import { cell_box, element_center, type Scene } from "./scene/scene.ts";
-import { SettingsStore, type CutAxis, type FieldName, type Settings, type UpAxis } from "./settings.ts";
+import { cut_normal, SettingsStore, type CutAxis, type FieldName, type Settings, type UpAxis } from "./settings.ts";
 import type { FaultMark } from "./view/line_marks.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
 import { places_of_answer } from "./ui/answer.ts";
 import { by_id, counted, measured, plural } from "./ui/dom.ts";
-import { hexahedra_shown, hexahedra_text, hexahedron_title, shape_text } from "./ui/hex_panel.ts";
+import { hexahedra_shown, hexahedron_title, shape_text } from "./ui/hex_panel.ts";
 import { title_of } from "./ui/cell_panel.ts";
 import type { Commands } from "./ui/commands.ts";
 import { make_controls } from "./ui/controls.ts";
@@ -232,9 +232,19 @@ export class Application implements Commands {
     this.visited = this.places.findIndex(({ point }) => is_same(point, place.point));
     this.store.change({ marked: { point: place.point, label: place.label, warn: place.warn }, alone: false });
     if (place.hexahedron !== undefined) this.show_alone(place.hexahedron);
-    else this.stage.rig.approach(place.point, true);
+    else this.approach(place);
     this.announce(`${place.label}${place.detail ? `: ${place.detail}` : ""}`);
     if (is_narrow()) this.tabs.open(false);
+  }
+
+  /** To a place; where what is shown lacks or hides it, the cut moves there first. */
+  private approach({ point, of_mesh }: Place): void {
+    if (of_mesh) this.store.change({ layers: { hexahedra: true }, field: "main" });
+    if (this.stage.hides(point!)) {
+      this.store.change({ cut: this.stage.cut_to(point!), below: 1 });
+      this.stage.rig.face(cut_normal(this.store.current), false);
+    }
+    this.stage.rig.approach(point!, true);
   }
 
   visit_next(step: number): void {
@@ -320,7 +330,7 @@ export class Application implements Commands {
     const { hexahedra } = this.stage.field;
     const { layers, alone, hexahedron } = this.store.current;
     if (hexahedra && layers.hexahedra && alone && hexahedron >= 0) return "One hexahedron, with those around it faintly.";
-    if (hexahedra && layers.hexahedra) return [`${hexahedra_text(hexahedra.count)} shown.`, hexahedra_shown(this.shown)].filter(Boolean).join(" ");
+    if (hexahedra && layers.hexahedra) return hexahedra_shown(this.shown.hexahedra!, hexahedra.count);
     if (tets) parts.push(`The field on ${plural(tets.corners.length / 4, "tet")}.`);
     else if (tet_counts) parts.push(`The field on ${plural(tet_counts.total, "tet")}; the cut shows the frames of those at the centres of ${plural(cells.shown, "cell")}.`);
     else if (this.scene.tets) parts.push(`The grid of ${plural(cells.total, "cell")} from which the field on the tets started; the answer is about the tets.`);

@@ -3,8 +3,9 @@
 
 import type { MapName } from "./math/color_maps.ts";
 import type { Vector } from "./math/frame.ts";
+import type { HexColor } from "./scene/hexahedra.ts";
 
-export type Layer = "part" | "creases" | "arcs" | "nodes" | "streamlines" | "glyphs" | "cells" | "hexahedra";
+export type Layer = "part" | "creases" | "arcs" | "nodes" | "streamlines" | "glyphs" | "cells" | "hexahedra" | "mesh_lines";
 export type CutAxis = "x" | "y" | "z" | "view";
 export type GlyphShape = "curve" | "cross" | "cube";
 export type GlyphColor = "axes" | "tilt" | "turn";
@@ -43,6 +44,7 @@ export interface Settings {
   streams: StreamSet;
   /** The tet or cell that is picked, or -1. */
   picked: number;
+  hex_color: HexColor;
   /** Hexahedra are shown with a scaled Jacobian below this; all of them from 1. */
   below: number;
   /** The hexahedron that is picked, or -1: its place in the scene. */
@@ -66,13 +68,14 @@ export class SettingsStore {
     theme: "auto",
     field: "main",
     up: "z",
-    layers: { part: true, creases: true, arcs: true, nodes: true, streamlines: false, glyphs: true, cells: true, hexahedra: true },
+    layers: { part: true, creases: true, arcs: true, nodes: true, streamlines: false, glyphs: true, cells: true, hexahedra: true, mesh_lines: false },
     opacity: 0.35,
     map: "none",
     cut: { on: true, axis: "y", normal: [0, 1, 0], position: 0.5, flip: false, clip: true },
     glyph: { shape: "curve", color: "axes", density: 0 },
     streams: "cut",
     picked: -1,
+    hex_color: "shape",
     below: 1,
     hexahedron: -1,
     alone: false,
@@ -100,6 +103,9 @@ export class SettingsStore {
     for (const listener of this.listeners) listener(this.current);
   }
 }
+
+/** Whether hexahedra are looked at, on a page that has some. */
+export const is_of_hexahedra = ({ layers, field }: Settings): boolean => layers.hexahedra && field === "main";
 
 /** The unit normal of the cut; what lies further along it is taken away. */
 export function cut_normal({ cut }: Settings): Vector {

@@ -3,6 +3,7 @@
 
 import { kMaps } from "./math/color_maps.ts";
 import type { Vector } from "./math/frame.ts";
+import { kHexColors } from "./scene/hexahedra.ts";
 import type { Part, Settings } from "./settings.ts";
 
 export interface Camera {
@@ -12,7 +13,7 @@ export interface Camera {
 
 // Places in a link have this many significant digits: less than a pixel of difference.
 const kDigits = 6;
-const kLayers = ["part", "creases", "arcs", "nodes", "streamlines", "glyphs", "cells", "hexahedra"] as const;
+const kLayers = ["part", "creases", "arcs", "nodes", "streamlines", "glyphs", "cells", "hexahedra", "mesh_lines"] as const;
 
 export function link_of(settings: Settings, camera: Camera): string {
   const { cut, glyph } = settings;
@@ -27,6 +28,7 @@ export function link_of(settings: Settings, camera: Camera): string {
     frames: [glyph.shape, glyph.color, glyph.density].join(),
     show: kLayers.filter((layer) => settings.layers[layer]).join(),
     streams: settings.streams,
+    ...(settings.hex_color === "shape" ? {} : { hexahedra: settings.hex_color }),
     ...(settings.below < 1 ? { below: numbers([settings.below]) } : {}),
   };
   return `#${Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&")}`;
@@ -40,6 +42,7 @@ export function link_from(hash: string): { settings: Part; camera: Camera | null
   settings.up = one_of("up", ["x", "y", "z"]);
   settings.field = one_of("field", ["main", "grid"]);
   settings.map = one_of("map", kMaps);
+  settings.hex_color = one_of("hexahedra", kHexColors);
   settings.streams = one_of("streams", ["cut", "surface"]);
   const [opacity] = numbers_in(given.get("opacity"), 1);
   if (opacity !== undefined && opacity >= 0 && opacity <= 1) settings.opacity = opacity;

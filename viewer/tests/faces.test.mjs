@@ -6,6 +6,7 @@ import { test } from "node:test";
 
 import { face_of_triangle, faces_of_model, facing_of, point_of, set_of, triangles_of_face } from "../src/scene/faces.ts";
 import { decode_scene } from "../src/scene/scene.ts";
+import { surface_normal } from "../src/scene/surface_normal.ts";
 import { scene_named } from "./scenes.mjs";
 import { face_of_bar, tets_scene } from "./tet_scene.mjs";
 
@@ -51,4 +52,11 @@ test("what faces all ways faces none", () => {
 test("numbers of faces below zero are read as they are", () => {
   const { scene: written } = tets_scene({ arrays: { surface_face: ["u32", 0, [2 ** 32 - 3]] } });
   assert.deepEqual([...decode_scene(written).surface_face], [-3]);
+});
+
+test("the surface at a place faces as its nearest triangle does", () => {
+  for (const [point, normal] of [[[10.4, 3, -7], [1, 0, 0]], [[-9.9, 3, 15], [-1, 0, 0]], [[2, -10, 1], [0, -1, 0]], [[1, 2, 20], [0, 0, 1]], [[3, 4, -23], [0, 0, -1]]]) {
+    surface_normal(scene, point).forEach((value, k) => assert.ok(Math.abs(value - normal[k]) < 1e-6, `${point}`));
+  }
+  assert.deepEqual(surface_normal({ surface_vertices: new Float32Array(0), surface_triangles: new Uint32Array(0) }, [0, 0, 0]), [1, 0, 0]);
 });

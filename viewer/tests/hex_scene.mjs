@@ -52,6 +52,10 @@ const kFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7
 /** Of each hexahedron the faces of the bar that its six sides lie on; 0 inside. */
 export const faces_of_sides = ({ points, hexahedra }) => hexahedra.map((corners) => kFaces.map((face) => face_of_bar(center_of(points, face.map((corner) => corners[corner])), kHalf, kLength / 2)));
 
+/** Numbers of the regions of the mesh without an inverted hexahedron, and the place among them of its lower half and of its upper one. */
+export const kRegions = [3, 8];
+export const region_at = ([, , z]) => Number(z > 0);
+
 export function hexahedra_scene(inverted = true) {
   const mesh = hex_mesh(inverted);
   const { points, hexahedra, shapes, worst_place } = mesh;
@@ -60,13 +64,14 @@ export function hexahedra_scene(inverted = true) {
   const quads = (number) => faces.filter((face) => face === number).length;
   const failed = inverted ? { outcome: "partial", reason: "1 hexahedron is inverted", next: "take tets with edges of 3.6", places: [worst_place] } : { outcome: "all-hex" };
   return tets_scene({
-    header: { hexahedra: { total: hexahedra.length, shown: hexahedra.length, inverted: Number(inverted), mean } },
+    header: { ...(inverted ? {} : { hex_regions: kRegions }), hexahedra: { total: hexahedra.length, shown: hexahedra.length, inverted: Number(inverted), mean } },
     arrays: {
       hex_points: ["f32", 3, points.flat()],
       hex_corners: ["u32", 8, hexahedra.flat()],
       hex_shape: ["f32", 0, shapes],
       ...(inverted ? { hex_inverted: ["u8", 0, shapes.map((shape) => Number(shape <= 0))] } : {}),
       hex_face: ["u32", 6, faces],
+      ...(inverted ? {} : { hex_region: ["u16", 0, hexahedra.map((corners) => region_at(center_of(points, corners)))] }),
     },
     report: {
       hexahedra: {

@@ -4,9 +4,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { edge_lengths, hexahedron_center, hexahedron_centered_at, hexahedron_of, hexahedron_radius, HexSkins, number_of, side_along } from "../src/scene/hexahedra.ts";
+import { face_color } from "../src/math/color_maps.ts";
+import { edge_lengths, faces_of_hexahedra, hex_colors, hexahedron_center, hexahedron_centered_at, hexahedron_of, hexahedron_radius, HexSkins, number_of, side_along } from "../src/scene/hexahedra.ts";
 import { decode_scene } from "../src/scene/scene.ts";
-import { box_of_hexahedra, hex_mesh } from "./hex_scene.mjs";
+import { box_of_hexahedra, center_of, hex_mesh, kRegions, region_at } from "./hex_scene.mjs";
 import { scene_named } from "./scenes.mjs";
 
 const scene = decode_scene(scene_named("hexahedra").scene);
@@ -16,6 +17,7 @@ const kFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7
 const hexahedra_of = ({ points, hexahedra }) => ({
   total: hexahedra.length, inverted: 0, mean: 1, points: Float32Array.from(points.flat()), corners: Uint32Array.from(hexahedra.flat()),
   shape: new Float32Array(hexahedra.length).fill(1), is_inverted: new Uint8Array(0), number: new Uint32Array(0), face: new Int32Array(0),
+  regions: [], region: new Uint16Array(0),
 });
 
 /** Faces that one of the shown hexahedra has alone, found by counting: their points, sorted, with the hexahedron. */
@@ -38,6 +40,25 @@ test("a page without hexahedra has none, and one with them has all", () => {
   assert.equal(decode_scene(scene_named("tets").scene).hexahedra, null);
   assert.equal(scene.hexahedra.shape.length, mesh.hexahedra.length);
   assert.equal(scene.grid.hexahedra, null);
+});
+
+test("hexahedra are coloured by faces where there are numbers, and by regions where there are several", () => {
+  const plain = hexahedra_of(mesh);
+  assert.deepEqual(hex_colors(plain), ["shape"]);
+  assert.deepEqual(hex_colors(scene.hexahedra), ["shape", "face"]);
+  assert.deepEqual(faces_of_hexahedra(scene.hexahedra), [1, 2, 3, 4, 5, 6]);
+  const { hexahedra } = decode_scene(scene_named("all_hex").scene);
+  assert.deepEqual(hex_colors(hexahedra), ["shape", "face", "region"]);
+  assert.deepEqual(hexahedra.regions, kRegions);
+  assert.deepEqual([...hexahedra.region], hex_mesh(false).hexahedra.map((corners) => region_at(center_of(hex_mesh(false).points, corners))));
+});
+
+test("faces with numbers near each other have colours that differ", () => {
+  const apart = (a, b) => Math.hypot(...face_color(a).map((value, k) => value - face_color(b)[k]));
+  for (let face = 0; face < 60; ++face) for (let other = face + 1; other <= face + 4; ++other) {
+    assert.ok(apart(face, other) > 0.15, `${face} and ${other}: ${apart(face, other)}`);
+    for (const channel of face_color(face)) assert.ok(channel >= 0 && channel <= 1);
+  }
 });
 
 test("hexahedra are numbered from 1, as files number them", () => {

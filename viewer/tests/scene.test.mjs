@@ -128,6 +128,15 @@ test("lightness of the maps of quantities only rises or only falls, in steps of 
   assert.equal(new Set(kClasses.map(({ color }) => color.light)).size, kClasses.length);
 });
 
+test("the worst shapes are red and the good ones calm, light and dark", () => {
+  for (const theme of ["light", "dark"]) {
+    const [worst, middle, best] = [0, 0.5, 1].map((value) => ramp_color("shape", theme, value));
+    assert.ok(worst[0] - Math.max(worst[1], worst[2]) > 0.3, `${theme}: ${worst} is not red`);
+    assert.ok(Math.max(...best) - Math.min(...best) < 0.25 && best[2] > best[0], `${theme}: ${best} is not calm`);
+    assert.ok(middle[0] > middle[2], `${theme}: ${middle} is calmer than the best`);
+  }
+});
+
 test("the answer is the one of the report, in its words", () => {
   const answers = Object.values(made).map(({ report }) => answer_of(report));
   assert.deepEqual(answers.map(({ judgement, short }) => [judgement, short]), [["good", "hexahedra fit locally"], ["unsure", "undecided"], ["bad", "hexahedra cannot follow this field"], ["bad", "hexahedra cannot follow this field"]]);

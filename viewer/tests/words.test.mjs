@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { coordinates } from "../src/ui/dom.ts";
+import { coordinates, duration, memory } from "../src/ui/dom.ts";
 import { advice_on } from "../src/ui/advice.ts";
 import { face_title, noun_of, sets_text } from "../src/ui/face_table.ts";
 import { lacking, mesh_places } from "../src/ui/mesh_summary.ts";
@@ -13,6 +13,11 @@ test("coordinates that are rounding are 0", () => {
   assert.equal(coordinates([-1.1e-15, 2, -0]), "0, 2, 0");
   assert.equal(coordinates([106.123, 51, 1e-4]), "106.1, 51, 0");
   assert.equal(coordinates([0, 0, 0]), "0, 0, 0");
+});
+
+test("what is rounded up goes over to the next unit", () => {
+  assert.deepEqual([0.0001, 0.9996, 59.96, 99.96, 119.4, 119.869861579, 179.6, 3600].map(duration), ["1 ms", "1 s", "60 s", "100 s", "1 min 59 s", "2 min 0 s", "3 min 0 s", "60 min 0 s"]);
+  assert.deepEqual([83e6, 999.4e6, 999.6e6, 1.26e9].map(memory), ["83 MB", "999 MB", "1.0 GB", "1.3 GB"]);
 });
 
 test("surfaces of triangles have patches, other models faces", () => {
@@ -33,6 +38,15 @@ test("sets are named of files that there are, by a face that has quads", () => {
   assert.equal(sets_text([face(4, 0)], { hexahedra }), "");
   assert.equal(sets_text(faces, { hexahedra: { ...hexahedra, scaled_jacobian: { min: -1, mean: 1, inverted: 1 } } }), "");
   assert.equal(sets_text([face(5, null)], {}), "");
+});
+
+test("a place that fails is told in the words of the reason", () => {
+  const reason = "it is up to 1.2 of a hexahedron off the surface around 35.238 0.245 4.976; the surface is up to 0.36 of a hexahedron from it, around 33.925 -1.888 5.22, and badly shaped (worst scaled Jacobian 0.02 at 34.767 -3.192 7.372)";
+  const places = [[34.766609, -3.191738, 7.371579], [35.238043, 0.244521, 4.975738], [33.92455, -1.888372, 5.22], [1, 2, 3], [4, 5, 6]];
+  const named = mesh_places({ hexahedra: { outcome: "approximate", hexahedra: 8, reason, places, left_out_place: [1, 2, 3] } }, null, [0, 0, 0]);
+  assert.deepEqual(named.map(({ label }) => label), [
+    "Badly shaped", "It is up to 1.2 of a hexahedron off the surface", "The surface is up to 0.36 of a hexahedron from it", "Cell left out", "Place of the reason"]);
+  assert.equal(named[1].detail, "35.24, 0.2445, 4.976");
 });
 
 test("the worst hexahedron of a mesh of boxes is no place to look at", () => {

@@ -11,7 +11,7 @@ export type MapName = (typeof kMaps)[number];
 export type RampName = "alignment" | "energy" | "tilt" | "turn" | "shape";
 
 // Anchors at equal distances in value, chosen for steps of equal size in CIELAB lightness. `tilt` colours glyphs, which must be seen at
-// zero too; `turn` is cyclic; of a `shape` one is good, and near the background.
+// zero too; `turn` is cyclic; of a `shape` zero is red, one is good and near the background.
 const kRamps: Record<Theme, Record<RampName, string[]>> = {
   light: {
     alignment: ["#f1efe6", "#f8dcae", "#fbbd7f", "#f79a60", "#e9704f", "#cd4a55", "#a2315f", "#742062", "#481457", "#200b3c"],
@@ -25,7 +25,7 @@ const kRamps: Record<Theme, Record<RampName, string[]>> = {
     energy: ["#2b2f36", "#333a56", "#3a4b7c", "#3b6294", "#397a9e", "#3b93a7", "#47acac", "#68c5b0", "#a2dcc2", "#e2f6e6"],
     tilt: ["#7f8d9d", "#9d9690", "#bd9c7c", "#d8a168", "#eea65a", "#fbb36a", "#ffc58b", "#ffd9b3", "#fff0de"],
     turn: ["#5f83e0", "#8fb0e8", "#c4cfd8", "#e6c2a6", "#e5925f", "#cd5f53", "#a5567e", "#7f65bb", "#5f83e0"],
-    shape: ["#ffeeb8", "#ffbf6e", "#f58a50", "#cf5a4d", "#86586a", "#465d78"],
+    shape: ["#ff5a5f", "#ea7044", "#c27c3c", "#8f7b50", "#627077", "#465d78"],
   },
 };
 
@@ -49,6 +49,21 @@ export const kClasses: CellClass[] = [
 const kRegionColors = ["#8fb3d9", "#e3c07a", "#9ccf9a", "#d9a0bf", "#b7b0e0", "#8fd0cb", "#e2a98a", "#c4c98a"];
 
 export const region_color = (region: number): string => kRegionColors[region % kRegionColors.length];
+
+// Faces next to each other mostly have numbers next to each other: their hues are a golden section of a circle without magenta apart, which
+// is the colour of what is picked, and their lightness differs.
+const kGoldenSection = 0.618034;
+const kFaceHues = 290;
+const kFaceLightness = [0.72, 0.6, 0.5];
+
+/** The colour of a face by its place among the faces. */
+export function face_color(face: number): Color {
+  const hue = kFaceHues * ((0.7 + kGoldenSection * face) % 1);
+  const lightness = kFaceLightness[face % kFaceLightness.length];
+  const chroma = 0.6 * (1 - Math.abs(2 * lightness - 1));
+  const channel = (shift: number): number => lightness + chroma * (Math.min(1, Math.max(0, Math.abs((((hue / 60 + shift) % 6) + 6) % 6 - 3) - 1)) - 0.5);
+  return [channel(0), channel(4), channel(2)];
+}
 
 export function parse_color(hex: string): Color {
   const value = parseInt(hex.slice(1), 16);

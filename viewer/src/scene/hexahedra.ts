@@ -3,6 +3,10 @@
 
 import { add, cross, dot, length_of, scaled, subtract, type Vector } from "../math/frame.ts";
 
+/** By what hexahedra are coloured: scaled Jacobian, face of the model, region. */
+export const kHexColors = ["shape", "face", "region"] as const;
+export type HexColor = (typeof kHexColors)[number];
+
 export interface Hexahedra {
   /** Of the mesh; the arrays have no more than a page can show. */
   total: number;
@@ -19,6 +23,9 @@ export interface Hexahedra {
   number: Uint32Array;
   /** Numbers of the faces of the model that the six sides of each lie on, 0 for none; empty where no face has a number. */
   face: Int32Array;
+  /** Numbers of the regions, ascending, and of each hexahedron its place among them; both empty for fewer than two regions. */
+  regions: number[];
+  region: Uint16Array;
 }
 
 /** Corners of the faces, outward by the right-hand rule, and of the edges. */
@@ -31,6 +38,13 @@ export const is_inverted = (hexahedra: Hexahedra, hexahedron: number): boolean =
 
 /** Its number in the files, from 1. */
 export const number_of = ({ number }: Hexahedra, hexahedron: number): number => (number[hexahedron] ?? hexahedron) + 1;
+
+/** Numbers of the faces of the model that hexahedra lie on, ascending. */
+export const faces_of_hexahedra = ({ face }: Hexahedra): number[] => [...new Set(face)].filter((number) => number !== 0).sort((a, b) => a - b);
+
+/** By what the hexahedra of a page can be coloured. */
+export const hex_colors = (hexahedra: Hexahedra): HexColor[] =>
+  kHexColors.filter((color) => color === "shape" || (color === "face" ? hexahedra.face.some((number) => number !== 0) : hexahedra.regions.length > 1));
 
 /** Faces that one of the shown hexahedra has alone. */
 export interface HexSkin {

@@ -105,6 +105,7 @@ interface Header {
   hexahedra?: { total: number; shown: number; inverted: number; mean: number };
   regions?: number[];
   tet_regions?: number[];
+  hex_regions?: number[];
   surface: Scene["surface"];
   grid_surface?: Scene["surface"];
   arrays: Record<string, { type: TypeName; offset: number; shape: number[] }>;
@@ -140,7 +141,7 @@ export function decode_scene(bytes: Uint8Array<ArrayBuffer>): Scene {
     cells: header.cells,
     tet_counts: header.tets ?? null,
     tets: null,
-    hexahedra: header.hexahedra ? hexahedra_of(read, header.hexahedra) : null,
+    hexahedra: header.hexahedra ? hexahedra_of(read, header.hexahedra, header) : null,
     grid: null,
     ...outside(read, "", header.surface),
     surface_alignment_deg: widened(read("surface_alignment_deg", "u16")),
@@ -217,7 +218,7 @@ function with_tets(scene: Scene, read: Read, header: Header): Scene {
   return { ...scene, tets, grid, regions: header.tet_regions ?? [] };
 }
 
-function hexahedra_of(read: Read, { total, inverted, mean }: NonNullable<Header["hexahedra"]>): Hexahedra {
+function hexahedra_of(read: Read, { total, inverted, mean }: NonNullable<Header["hexahedra"]>, { hex_regions }: Header): Hexahedra {
   return {
     total, inverted, mean,
     points: read("hex_points", "f32"),
@@ -226,6 +227,8 @@ function hexahedra_of(read: Read, { total, inverted, mean }: NonNullable<Header[
     is_inverted: read("hex_inverted", "u8"),
     number: read("hex_number", "u32"),
     face: signed(read("hex_face", "u32")),
+    regions: hex_regions ?? [],
+    region: read("hex_region", "u16"),
   };
 }
 

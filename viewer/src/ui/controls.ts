@@ -3,9 +3,11 @@
 
 import type { MapName } from "../math/color_maps.ts";
 import type { Vector } from "../math/frame.ts";
+import { hex_colors, type Hexahedra } from "../scene/hexahedra.ts";
 import type { Scene } from "../scene/scene.ts";
-import { cut_normal, cut_offset, type CutAxis, type Layer, type UpAxis, type Settings, type SettingsStore } from "../settings.ts";
+import { cut_normal, cut_offset, is_of_hexahedra, type CutAxis, type Layer, type UpAxis, type Settings, type SettingsStore } from "../settings.ts";
 import { element, measured } from "./dom.ts";
+import { kHexColorNames } from "./hex_panel.ts";
 
 type Follow = (settings: Settings) => void;
 
@@ -74,8 +76,12 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
     if (scene.hexahedra) bind.follow.push((settings) => parts.forEach((part) => (part.hidden = is_of_hexahedra(settings))));
     return parts;
   };
+  const of_mesh = (part: HTMLElement): HTMLElement => {
+    bind.follow.push((settings) => (part.hidden = !is_of_hexahedra(settings)));
+    return part;
+  };
   panel.append(
-    ...(scene.hexahedra ? hexahedra_controls(bind) : []),
+    ...(scene.hexahedra ? [hexahedra_controls(bind, scene.hexahedra, of_mesh)] : []),
     ...(scene.grid ? of_field(group("Field",
       bind.choice("Field", "field", [["main", "Tets"], ["grid", "Starting grid"]], (settings) => settings.field, (field) => store.change({ field, picked: -1, hexahedron: -1 })))) : []),
     ...of_field(group("Colour by",
@@ -105,10 +111,11 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
     )),
     group("Show",
       element("div", { class: "grid" },
-        bind.layer("Part", "part"), bind.layer("Creases", "creases"), bind.layer("Singular lines", "arcs"), bind.layer("Nodes", "nodes"),
-        has_streams ? bind.layer("Streamlines", "streamlines") : null,
+        bind.layer("Part", "part"), bind.layer("Creases", "creases"), ...of_field(bind.layer("Singular lines", "arcs"), bind.layer("Nodes", "nodes")),
+        scene.hexahedra ? of_mesh(bind.layer("Singular lines", "mesh_lines")) : null,
+        ...(has_streams ? of_field(bind.layer("Streamlines", "streamlines")) : []),
       ),
-      has_streams ? bind.select("Seeds", "streams", [["cut", "from the cut"], ["surface", "from the surface"]], (settings) => settings.streams, (streams) => store.change({ streams, layers: { streamlines: true } })) : null,
+      ...(has_streams ? of_field(bind.select("Seeds", "streams", [["cut", "from the cut"], ["surface", "from the surface"]], (settings) => settings.streams, (streams) => store.change({ streams, layers: { streamlines: true } }))) : []),
       bind.slider("Opacity", "opacity", [0, 1, 0.05], (settings) => settings.opacity, (opacity) => store.change({ opacity }),
         (settings) => `${Math.round(100 * settings.opacity)} %`),
       element("div", { class: "row" }, element("span", {}, "Up"),
@@ -118,15 +125,16 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
   return (settings) => bind.follow.forEach((follow) => follow(settings));
 }
 
-const is_of_hexahedra = ({ layers, field }: Settings): boolean => layers.hexahedra && field === "main";
-
-function hexahedra_controls(bind: Bindings): HTMLElement[] {
+function hexahedra_controls(bind: Bindings, hexahedra: Hexahedra, of_mesh: (part: HTMLElement) => HTMLElement): HTMLElement {
   const { store } = bind;
-  return [group("Mesh",
+  const colors = hex_colors(hexahedra);
+  return group("Mesh",
     bind.choice("Hexahedra or field", "mesh", [["hexahedra", "Hexahedra"], ["field", "Field"]], (settings) => (is_of_hexahedra(settings) ? "hexahedra" : "field"),
       (choice) => store.change({ layers: { hexahedra: choice === "hexahedra" }, field: "main", picked: -1, hexahedron: -1 })),
+    colors.length > 1 ? of_mesh(element("div", { class: "row" }, element("span", {}, "Colour"),
+      bind.choice("Colour of hexahedra", "hex-color", colors.map((color) => [color, kHexColorNames[color]]), ({ hex_color }) => hex_color, (hex_color) => store.change({ hex_color })))) : null,
     bind.slider("Scaled Jacobian below", "below", [0, 1, 0.01], (settings) => settings.below, (below) => store.change({ below, layers: { hexahedra: true }, field: "main" }),
-      ({ below }) => (below < 1 ? below.toFixed(2) : "all")))];
+      ({ below }) => (below < 1 ? below.toFixed(2) : "all")));
 }
 
 /** Where the cut lies in the coordinates of the model. */

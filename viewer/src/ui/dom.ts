@@ -57,13 +57,16 @@ export const degrees = (value: number): string => (Number.isFinite(value) ? `${v
 
 export function duration(seconds: number): string {
   if (!Number.isFinite(seconds)) return "–";
-  if (seconds < 1) return `${Math.max(1, Math.round(seconds * 1000))} ms`;
+  const milliseconds = Math.max(1, Math.round(seconds * 1000));
+  if (milliseconds < 1000) return `${milliseconds} ms`;
   if (seconds < 100) return `${measured(seconds)} s`;
-  return `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`;
+  const rounded = Math.round(seconds);
+  return `${Math.floor(rounded / 60)} min ${rounded % 60} s`;
 }
 
 export function memory(bytes: number): string {
-  return bytes >= 1e9 ? `${(bytes / 1e9).toFixed(1)} GB` : `${Math.round(bytes / 1e6)} MB`;
+  const megabytes = Math.round(bytes / 1e6);
+  return megabytes >= 1000 ? `${(bytes / 1e9).toFixed(1)} GB` : `${megabytes} MB`;
 }
 
 export const plural = (count: number, one: string, many = `${one}s`): string => `${counted(count)} ${count === 1 ? one : many}`;

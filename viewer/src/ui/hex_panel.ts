@@ -2,10 +2,12 @@
 // What is known of one hexahedron.
 
 import { add } from "../math/frame.ts";
-import { edge_lengths, hexahedron_count, is_inverted, number_of } from "../scene/hexahedra.ts";
+import { edge_lengths, hexahedron_count, is_inverted, number_of, type HexColor, type Hexahedra } from "../scene/hexahedra.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { HexView } from "../view/hex_view.ts";
 import { coordinates, counted, element, measured, plural } from "./dom.ts";
+
+export const kHexColorNames: Record<HexColor, string> = { shape: "Quality", face: "Face", region: "Region" };
 
 export const hexahedra_text = (count: number): string => plural(count, "hexahedron", "hexahedra");
 
@@ -50,8 +52,10 @@ export function show_hexahedron(panel: HTMLElement, hexahedron: HexDescription, 
   );
 }
 
-/** How many are shown, if not all. */
-export function hexahedra_shown({ hexahedra }: Scene): string {
-  if (!hexahedra || hexahedron_count(hexahedra) === hexahedra.total) return "";
-  return `The page has ${counted(hexahedron_count(hexahedra))} of ${hexahedra_text(hexahedra.total)}: those at the surface and the worst.`;
+/** How many are shown, and how many there are. */
+export function hexahedra_shown(hexahedra: Hexahedra, shown: number): string {
+  const total = hexahedra_text(hexahedra.total);
+  const here = hexahedron_count(hexahedra);
+  const count = shown < hexahedra.total ? `${counted(shown)} of ${total}` : total;
+  return here < hexahedra.total ? `${count}; the page has ${counted(here)}, those at the surface and the worst.` : count;
 }

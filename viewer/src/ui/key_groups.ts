@@ -2,10 +2,12 @@
 // What each key does.
 
 import type { MapName } from "../math/color_maps.ts";
-import type { CutAxis, Layer } from "../settings.ts";
+import { hex_colors } from "../scene/hexahedra.ts";
+import { is_of_hexahedra, type CutAxis, type Layer } from "../settings.ts";
 import type { ViewName } from "../view/camera_rig.ts";
 import type { Commands } from "./commands.ts";
 import type { Key, KeyGroup } from "./keyboard.ts";
+import { kHexColorNames } from "./hex_panel.ts";
 import { next_theme } from "./toolbar.ts";
 
 const kTurn = Math.PI / 24;
@@ -20,6 +22,14 @@ export function key_groups(commands: Commands): KeyGroup[] {
   const view = (key: string, name: ViewName, does: string): Key => ({ keys: [key], shown: key, does, act: () => commands.view(name) });
   const layer = (key: string, name: Layer, does: string): Key => ({
     keys: [key], shown: key.toUpperCase(), does, act: () => store.change({ layers: { [name]: !store.current.layers[name] } }),
+  });
+  // Those of the mesh and those of the field are shown each for itself.
+  const lines = (key: string, name: Layer, does: string): Key => ({
+    keys: [key], shown: key.toUpperCase(), does,
+    act: () => {
+      const shown = commands.scene.hexahedra && is_of_hexahedra(store.current) ? "mesh_lines" : name;
+      store.change({ layers: { [shown]: !store.current.layers[shown] } });
+    },
   });
   const axis = (key: string, name: CutAxis, does: string): Key => ({
     keys: [key], shown: key.toUpperCase(), does,
@@ -59,11 +69,11 @@ export function key_groups(commands: Commands): KeyGroup[] {
     {
       name: "Show",
       keys: [
-        layer("p", "part", "part"), layer("k", "creases", "creases"), layer("s", "arcs", "singular lines"), layer("n", "nodes", "nodes"),
+        layer("p", "part", "part"), layer("k", "creases", "creases"), lines("s", "arcs", "singular lines"), lines("n", "nodes", "nodes"),
         layer("l", "streamlines", "streamlines"), layer("g", "glyphs", "frames"), layer("e", "cells", "cells"),
         ...(commands.scene.hexahedra ? [layer("q", "hexahedra", "hexahedra or the field")] : []),
         { keys: ["b"], shown: "B", does: "curves, crosses or cubes", act: () => store.change({ glyph: { shape: ({ curve: "cross", cross: "cube", cube: "curve" } as const)[store.current.glyph.shape] } }) },
-        { keys: ["m"], shown: "M", does: "next colour map", act: () => next_map(commands) },
+        { keys: ["m"], shown: "M", does: "next colour", act: () => next_map(commands) },
         { keys: ["t"], shown: "T", does: "light or dark", act: () => next_theme(commands) },
       ],
     },
@@ -81,6 +91,13 @@ export function key_groups(commands: Commands): KeyGroup[] {
 }
 
 function next_map(commands: Commands): void {
+  const { hexahedra } = commands.scene;
+  if (hexahedra && is_of_hexahedra(commands.store.current)) {
+    const colors = hex_colors(hexahedra);
+    const hex_color = colors[(colors.indexOf(commands.store.current.hex_color) + 1) % colors.length];
+    commands.store.change({ hex_color });
+    return commands.announce(`Coloured by ${kHexColorNames[hex_color].toLowerCase()}`);
+  }
   const maps: MapName[] = ["none", "alignment", "energy"];
   if (!commands.scene.tets) maps.push("class");
   if (commands.scene.regions.length > 1) maps.push("region");

@@ -2,7 +2,7 @@
 // What colours and patterns mean: singular lines, the colour map, and frames.
 
 import { css_gradient, kClasses, region_color, type Theme } from "../math/color_maps.ts";
-import type { Hexahedra } from "../scene/hexahedra.ts";
+import { faces_of_hexahedra, type HexColor, type Hexahedra } from "../scene/hexahedra.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { kTiltScale } from "../view/frame_colors.ts";
@@ -12,6 +12,7 @@ import { arc_kind, kArcKinds, type ArcKind } from "../view/singular_lines.ts";
 import { axis_colors, kViewColors } from "../view/view_colors.ts";
 import { counted, drawing, element, measured, superscript } from "./dom.ts";
 
+const kStackedRows = 3;
 const kImpossible = "impossible for hexahedra";
 const kArcNames: Record<ArcKind, string> = {
   positive: "index +1/4",
@@ -33,18 +34,21 @@ export interface LegendSource {
   scene: Scene;
   ranges: Ranges;
   faults: FaultMark[];
-  hexahedra: { count: number } | null;
+  hexahedra: object | null;
 }
 
 export function legend_body(settings: Settings, theme: Theme, { scene, ranges, faults, hexahedra }: LegendSource): Node[] {
   const field_name = scene.tets || scene.tet_counts ? "on the tets" : settings.field === "grid" ? "on the starting grid" : "";
   const blocks: Node[] = [];
   const is_solid = hexahedra !== null && settings.layers.hexahedra;
-  if (is_solid) return [...shape_list(scene.hexahedra!, hexahedra.count, theme), ...line_blocks(settings, theme, scene, faults, field_name)];
+  if (is_solid) {
+    const { mesh_lines } = settings.layers;
+    return [hexahedra_block(scene.hexahedra!, settings.hex_color, theme), ...line_blocks({ arcs: mesh_lines, nodes: mesh_lines }, theme, scene, faults, field_name)];
+  }
   if (settings.map === "alignment") blocks.push(ramp("Alignment", css_gradient("alignment", theme), linear_ticks(ranges.alignment, "°"), "angle of normal and nearest axis"));
   if (settings.map === "energy") blocks.push(ramp("Energy density", css_gradient("energy", theme), decade_ticks(ranges.energy), scene.unit ? `per volume, ${scene.unit}⁻²` : "per volume"));
   if (settings.map === "class") blocks.push(class_list(theme));
-  if (settings.map === "region") blocks.push(region_list(scene));
+  if (settings.map === "region") blocks.push(region_list(scene.regions));
   const shows_frames = settings.layers.glyphs && settings.cut.on;
   const shows_streams = settings.layers.streamlines && scene.streamline_starts.length > 1;
   if (shows_frames) {
@@ -54,27 +58,34 @@ export function legend_body(settings: Settings, theme: Theme, { scene, ranges, f
   }
   const named = shows_frames && settings.glyph.color === "axes";
   if (named || shows_streams) blocks.push(axis_list(theme, named, shows_streams));
-  return [...blocks, ...line_blocks(settings, theme, scene, faults, field_name)];
+  return [...blocks, ...line_blocks(settings.layers, theme, scene, faults, field_name)];
 }
 
-function line_blocks({ layers }: Settings, theme: Theme, scene: Scene, faults: FaultMark[], field_name: string): Node[] {
-  const blocks: Node[] = [];
-  if (layers.arcs) blocks.push(arc_list(scene, theme, field_name));
-  if (layers.nodes) blocks.push(...mark_list(scene, theme), ...fault_list(scene, faults, theme));
-  return blocks;
+function line_blocks({ arcs, nodes }: { arcs: boolean; nodes: boolean }, theme: Theme, scene: Scene, faults: FaultMark[], field_name: string): Node[] {
+  const of_lines = [...(arcs ? [arc_list(scene, theme, field_name)] : []), ...(nodes ? mark_list(scene, theme) : [])];
+  // Beneath each other where that is no higher than a colour map with its words, so that one row has room for all.
+  const rows = of_lines.reduce((sum, block) => sum + block.querySelectorAll("li").length, 0);
+  const blocks = of_lines.length > 1 && rows <= kStackedRows ? [element("div", { class: "legend-stack" }, ...of_lines)] : of_lines;
+  return [...blocks, ...(nodes ? fault_list(scene, faults, theme) : [])];
 }
 
-/** Colours of hexahedra, and how many there are and are shown. */
-function shape_list({ total, inverted, mean, shape }: Hexahedra, shown: number, theme: Theme): HTMLElement[] {
+/** What the colours of hexahedra mean. */
+function hexahedra_block(hexahedra: Hexahedra, color: HexColor, theme: Theme): HTMLElement {
+  if (color === "region" && hexahedra.regions.length > 1) return region_list(hexahedra.regions);
+  const faces = color === "face" ? faces_of_hexahedra(hexahedra).length : 0;
+  if (faces > 0) {
+    return element("div", { class: "legend-block", "data-testid": "legend-faces" },
+      element("h3", {}, "Faces of the model"),
+      element("p", { class: "fine" }, `A colour for each of ${counted(faces)}; a click tells its number.`));
+  }
+  const { inverted, mean, shape } = hexahedra;
   const least = shape.reduce((a, b) => Math.min(a, b), 1);
-  const note = `${measured(least, 2)} at least, ${measured(mean, 2)} in the mean`;
-  return [ramp("Scaled Jacobian", css_gradient("shape", theme), linear_ticks({ low: 0, high: 1, logarithmic: false }, ""), note),
-    element("div", { class: "legend-block", "data-testid": "legend-hexahedra" },
-      element("h3", {}, "Hexahedra"),
-      element("ul", { class: "keys" },
-        element("li", {}, "in the mesh", element("span", { class: "tally" }, counted(total))),
-        shown < total ? element("li", {}, "shown", element("span", { class: "tally" }, counted(shown))) : null,
-        inverted > 0 ? element("li", {}, element("span", { class: "swatch", style: `background-color: ${kViewColors[theme].inverted}` }), "inverted", element("span", { class: "tally" }, counted(inverted))) : null))];
+  const block = ramp("Scaled Jacobian", css_gradient("shape", theme), linear_ticks({ low: 0, high: 1, logarithmic: false }, ""), `${measured(least, 2)} at least, ${measured(mean, 2)} in the mean`);
+  if (inverted > 0) {
+    block.append(element("ul", { class: "keys", "data-testid": "legend-inverted" },
+      element("li", {}, element("span", { class: "swatch", style: `background-color: ${kViewColors[theme].inverted}` }), "inverted", element("span", { class: "tally" }, counted(inverted)))));
+  }
+  return block;
 }
 
 function ramp(name: string, gradient: string, ticks: [string, number][], note: string): HTMLElement {
@@ -118,7 +129,7 @@ function axis_list(theme: Theme, frames: boolean, streams: boolean): HTMLElement
   );
 }
 
-function region_list({ regions }: Scene): HTMLElement {
+function region_list(regions: number[]): HTMLElement {
   const most = 12;
   return element("div", { class: "legend-block", "data-testid": "legend-region" },
     element("h3", {}, "Regions"),

@@ -3,7 +3,7 @@
 // way to it, files.
 
 import { subtract, type Vector } from "../math/frame.ts";
-import { hexahedron_centered_at, number_of } from "../scene/hexahedra.ts";
+import { hexahedron_centered_at, is_inverted, number_of } from "../scene/hexahedra.ts";
 import type { HexReport, Report } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
 import { advice_on } from "./advice.ts";
@@ -11,7 +11,7 @@ import { sign, type Badge } from "./badge.ts";
 import { coordinates, counted, duration, element, measured, memory, plural } from "./dom.ts";
 import { hexahedra_text, hexahedron_title, shape_text } from "./hex_panel.ts";
 import type { Place } from "./place.ts";
-import { in_words, place_lists, worst_buttons, type Go } from "./places.ts";
+import { place_lists, worst_buttons, type Go } from "./places.ts";
 import { number } from "./summary.ts";
 
 const kOutcomes: Record<string, Badge> = {
@@ -60,9 +60,9 @@ function worst_hexahedron({ hexahedra }: Report, scene: Scene | null, origin: Ve
 }
 
 /** A hexahedron, where one has its centre there, or a point. */
-function place_of_hexahedron(point: Vector, scene: Scene | null): Pick<Place, "point" | "hexahedron"> {
+function place_of_hexahedron(point: Vector, scene: Scene | null): Pick<Place, "point" | "hexahedron" | "of_mesh"> {
   const hexahedron = scene?.hexahedra ? hexahedron_centered_at(scene.hexahedra, point) : -1;
-  return hexahedron < 0 ? { point } : { point, hexahedron };
+  return { point, of_mesh: true, ...(hexahedron < 0 ? {} : { hexahedron }) };
 }
 
 /** The worst hexahedron, the worst fit, and where the mesh lacks some or has bad ones. */
@@ -72,17 +72,34 @@ export function mesh_places(report: Report, scene: Scene | null, origin: Vector)
 
 function failing_places({ hexahedra }: Report, scene: Scene | null, origin: Vector): Place[] {
   if (!hexahedra || hexahedra.outcome === "all-hex") return [];
-  return (hexahedra.places ?? []).map((at, k) => {
+  return (hexahedra.places ?? []).map((at) => {
     const place = place_of_hexahedron(subtract(at, origin), scene);
-    const label = place.hexahedron === undefined ? `Place ${k + 1}` : hexahedron_title({ number: number_of(scene!.hexahedra!, place.hexahedron) });
-    return { ...place, label, detail: "", warn: true };
+    if (place.hexahedron === undefined) return { ...place, label: words_of_place(at, hexahedra), detail: coordinates(at), warn: true };
+    const label = hexahedron_title({ number: number_of(scene!.hexahedra!, place.hexahedron) });
+    const shape = shape_text(scene!.hexahedra!.shape[place.hexahedron], is_inverted(scene!.hexahedra!, place.hexahedron));
+    return { ...place, label, detail: `scaled Jacobian ${shape}`, warn: true };
   });
 }
 
-/** The places that the reason counts. */
+// Places in sentences are rounded: by less than this share of their largest coordinate.
+const kRounded = 1e-3;
+
+/** What is wrong at a place, in the words of the reason: the part of it that ends in this place. */
+function words_of_place(at: Vector, { reason = "", left_out_place }: HexReport): string {
+  const size = Math.max(...at.map(Math.abs));
+  const is_at = (place: readonly number[]): boolean => place.every((value, k) => Math.abs(value - at[k]) <= kRounded * size);
+  for (const part of reason.split(/; |, and /)) {
+    const [, words, ...place] = /^(.*?),? (?:\([^)]*)?(?:around|at|near) (\S+) (\S+) ([^\s,;)]+)/.exec(part) ?? [];
+    if (words && is_at(place.map(Number))) return words[0].toUpperCase() + words.slice(1);
+  }
+  return left_out_place && is_at(left_out_place) ? "Cell left out" : "Place of the reason";
+}
+
+/** The places that the reason counts, without those that have a button beneath it. */
 export function failing_list(report: Report, scene: Scene | null, origin: Vector, go: Go | null): HTMLElement[] {
-  const places = failing_places(report, scene, origin);
-  return places.length === 0 ? [] : place_lists([{ name: "Where it fails", kinds: [{ summary: in_words(places.length, "place", "places"), places }] }], origin, go);
+  const named = [...worst_hexahedron(report, scene, origin), ...worst_fit(report, origin)];
+  const places = failing_places(report, scene, origin).filter(({ point }) => !named.some((other) => other.point!.every((value, k) => value === point![k])));
+  return place_lists([{ name: "Where it fails", kinds: places.length === 0 ? [] : [{ summary: "", places }] }], origin, go);
 }
 
 /** Used size and number beside those asked for, shapes, fit, way, files, cost. */
@@ -120,7 +137,7 @@ function fit_text(mesh: HexReport, unit: string): string {
   const off = (name: string, of: number | undefined, all: number | undefined): string => (of !== undefined && all ? `${name} ${percent(of / all)}` : "");
   const sizes = [off("volume", volume, model_volume), off("area", area, model_area)].filter(Boolean).join(", ");
   const farthest = farthest_of(mesh);
-  const apart = !farthest ? "" : is_off(farthest.distance, mesh) ? distances_of(mesh).map(({ words, distance }) => words(`${measured(distance, 2)}${unit}`)).join(", ") : "on the surface";
+  const apart = !farthest ? "" : distances_of(mesh).filter(({ distance }) => distance > 0).map(({ words, distance }) => words(`${measured(distance, 2)}${unit}`)).join(", ") || "on the surface";
   return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, apart].filter(Boolean).join("; ");
 }
 
@@ -152,7 +169,7 @@ function farthest_of(mesh: HexReport): Farthest | null {
 function worst_fit({ hexahedra, model }: Report, origin: Vector): Place[] {
   const farthest = hexahedra && hexahedra.hexahedra > 0 ? farthest_of(hexahedra) : null;
   if (!farthest?.place || !is_off(farthest.distance, hexahedra!)) return [];
-  return [{ label: "Worst fit", detail: farthest.words(`${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`), point: subtract(farthest.place, origin), warn: false }];
+  return [{ label: "Worst fit", detail: farthest.words(`${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`), point: subtract(farthest.place, origin), warn: false, of_mesh: true }];
 }
 
 // Below this a share is rounding: of volume and area in percent, of a distance in sizes of hexahedra.

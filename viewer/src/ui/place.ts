@@ -11,4 +11,6 @@ export interface Place {
   warn: boolean;
   /** The hexahedron that is there: its place in the scene. */
   hexahedron?: number;
+  /** Whether it is one of the mesh of hexahedra. */
+  of_mesh?: boolean;
 }

@@ -8,7 +8,7 @@ import type { Report } from "../scene/report.ts";
 import { coordinates, counted, element, measured, plural } from "./dom.ts";
 import type { Place } from "./place.ts";
 
-/** Places of one kind, summed up in a few words. */
+/** Places of one kind, summed up in a few words; without any they are listed at once. */
 export interface PlaceKind {
   summary: string;
   places: Place[];
@@ -75,15 +75,15 @@ export function in_words(count: number, one: string, many: string): string {
 export const place_of_fault = ({ part, number, verdict, place, words }: Fault, origin: Vector): Place =>
   ({ label: `${kFaultNames[part]} ${number}`, detail: words, point: subtract(place, origin), warn: verdict === "not_meshable" });
 
-/** Lists of all groups; kinds with several places are summed up in a line that opens. */
+/** Lists of all groups; kinds with several places are summed up in a line that opens, if they have one. */
 export function place_lists(groups: PlaceGroup[], origin: Vector, go: Go | null): HTMLElement[] {
   return groups.filter(({ kinds, empty }) => kinds.length > 0 || empty).map(({ name, kinds, empty }) => {
     const count = kinds.reduce((sum, { places }) => sum + places.length, 0);
     return element("section", { class: "block", "data-testid": `places-${name.toLowerCase().replaceAll(" ", "-")}` },
       element("h2", {}, name, count > 1 ? element("span", { class: "tally" }, counted(count)) : null),
-      ...kinds.map(({ summary, places }) => (places.length === 1
-        ? element("div", {}, summary ? element("p", { class: "fine" }, summary) : null, element("div", { class: "places" }, place_button(places[0], origin, go)))
-        : folded_places(summary, places, origin, go))),
+      ...kinds.flatMap(({ summary, places }) => (places.length === 1
+        ? [element("div", {}, summary ? element("p", { class: "fine" }, summary) : null, element("div", { class: "places" }, place_button(places[0], origin, go)))]
+        : summary ? [folded_places(summary, places, origin, go)] : place_list(places, origin, go))),
       count === 0 ? element("p", { class: "fine" }, empty ?? "") : null,
     );
   });

@@ -11,7 +11,7 @@ import { face_table } from "./face_table.ts";
 import { levels_chart } from "./levels_chart.ts";
 import { failing_list, mesh_card, mesh_numbers } from "./mesh_summary.ts";
 import { input_groups, place_lists, type Go } from "./places.ts";
-import { about, alignment_scale, key_numbers, tet_alignment, unfinished_card, warnings_list } from "./summary.ts";
+import { about, alignment_scale, fact_list, facts_of_field, key_numbers, tet_alignment, unfinished_card, warnings_list } from "./summary.ts";
 
 /** What the panel may ask of the view. */
 export interface PanelView {
@@ -31,7 +31,7 @@ export function report_blocks(report: Report, faces: ModelFace[], view: PanelVie
   const input = place_lists(input_groups(report, origin), origin, go);
   const blocks = report.hexahedra
     ? [unfinished_card(report), mesh_card(report, scene, origin, go), ...mesh_numbers(report, scene), ...failing_list(report, scene, origin, go), table, warnings_list(report), ...input,
-        folded("The field that they follow", [...field, levels_chart(report)]), about(report)]
+        folded("The field that they follow", [...field, levels_chart(report), fact_list(facts_of_field(report))]), about(report)]
     : [unfinished_card(report), ...field, table, ...input, levels_chart(report), warnings_list(report), about(report)];
   return blocks.filter((block) => block !== null);
 }

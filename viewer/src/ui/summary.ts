@@ -139,12 +139,20 @@ export function about(report: Report): HTMLElement {
   const facts: [string, string][] = [];
   if (model.path) facts.push(["Model", model.path]);
   if (model.triangles !== undefined) facts.push(["Surface", `${plural(model.triangles, "triangle")}${model.components && model.components > 1 ? `, ${model.components} components` : ""}${model.watertight === false ? ", not watertight" : ""}`]);
-  if (report.resolution !== undefined) facts.push(["Resolution", `${amount(report.resolution, "cell", 4)} along the longest side`]);
-  if (report.degree) facts.push(["Harmonics", `degree ${report.degree}`]);
-  if (report.walls?.thinnest_cells && !report.hexahedra) facts.push(["Thinnest wall", amount(report.walls.thinnest_cells, "cell")]);
+  if (!report.hexahedra) facts.push(...facts_of_field(report));
+  if (!report.hexahedra && report.walls?.thinnest_cells) facts.push(["Thinnest wall", amount(report.walls.thinnest_cells, "cell")]);
   if (report.version) facts.push(["Crossgrain", report.version]);
-  return element("section", { class: "block" },
-    element("h2", {}, "About this field"),
-    element("dl", { class: "facts" }, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
-  );
+  return element("section", { class: "block", "data-testid": "about" },
+    element("h2", {}, report.hexahedra ? "About this mesh" : "About this field"), fact_list(facts));
 }
+
+/** How the field was asked for. */
+export function facts_of_field({ resolution, degree }: Report): [string, string][] {
+  const facts: [string, string][] = [];
+  if (resolution !== undefined) facts.push(["Resolution", `${amount(resolution, "cell", 4)} along the longest side`]);
+  if (degree) facts.push(["Harmonics", `degree ${degree}`]);
+  return facts;
+}
+
+export const fact_list = (facts: [string, string][]): HTMLElement =>
+  element("dl", { class: "facts" }, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)]));

@@ -12,6 +12,8 @@ const kNames: Record<Panel, string> = { field: "Field", view: "View", cell: "Cel
 export class Tabs {
   private readonly tabs = new Map<Panel, HTMLButtonElement>();
   private readonly narrow = matchMedia("(max-width: 799px)");
+  /** Whether the controls of the view lie over it. */
+  private readonly wide = matchMedia("(min-width: 1100px)");
   current: Panel = "field";
 
   constructor(private readonly changed: () => void) {
@@ -27,11 +29,11 @@ export class Tabs {
     }
     // The controls' own panel is no tab's on wide pages.
     const adapt = (): void => {
-      by_id("panel-view").setAttribute("role", this.narrow.matches ? "tabpanel" : "region");
-      if (!this.narrow.matches && this.current === "view") this.current = "field";
+      by_id("panel-view").setAttribute("role", this.wide.matches ? "region" : "tabpanel");
+      if (this.wide.matches && this.current === "view") this.current = "field";
       this.show();
     };
-    this.narrow.addEventListener("change", adapt);
+    for (const size of [this.narrow, this.wide]) size.addEventListener("change", adapt);
     adapt();
     if (this.narrow.matches) this.open(false);
   }
@@ -61,7 +63,7 @@ export class Tabs {
     document.body.dataset.panel = this.current;
     for (const [panel, tab] of this.tabs) {
       const chosen = panel === this.current;
-      const wide_view = panel === "view" && !this.narrow.matches;
+      const wide_view = panel === "view" && this.wide.matches;
       tab.hidden = wide_view;
       tab.setAttribute("aria-selected", String(chosen));
       tab.setAttribute("aria-expanded", String(chosen && this.is_open()));

@@ -116,7 +116,7 @@ export class FieldView {
     this.cell_face?.place(normal, offset);
     this.cell_face?.show(cut.on && !is_solid, layers.cells);
     this.tet_face?.show(cut.on && !is_solid, layers.cells);
-    this.lines.show(layers.arcs && !is_alone, layers.nodes && !is_alone);
+    this.lines.show(is_solid ? layers.mesh_lines && !is_alone : layers.arcs, is_solid ? layers.mesh_lines && !is_alone : layers.nodes);
   }
 
   /** Whether hexahedra stand for the part and the face of the cut. */

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hexahedra: the outside of those that are shown, in the colours of their scaled Jacobians, with the edges of its faces. One alone is
+// Hexahedra: the outside of those that are shown, in the colours of scaled Jacobians, faces or regions, with the edges of its faces. One alone is
 // shown with those around it faintly.
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, ShaderMaterial, Vector3 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 
-import { ramp_color, parse_color, type Color, type Theme } from "../math/color_maps.ts";
-import type { Vector } from "../math/frame.ts";
-import { hexahedron_center, hexahedron_edges, hexahedron_of, hexahedron_radius, HexSkins, is_inverted, side_along, type Hexahedra, type HexSkin } from "../scene/hexahedra.ts";
+import { face_color, parse_color, ramp_color, region_color, type Color, type Theme } from "../math/color_maps.ts";
+import { add, dot, scaled, subtract, type Vector } from "../math/frame.ts";
+import {
+  faces_of_hexahedra, hex_colors, hexahedron_center, hexahedron_edges, hexahedron_of, hexahedron_radius, HexSkins, is_inverted, side_along, type HexColor, type Hexahedra, type HexSkin,
+} from "../scene/hexahedra.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { face_at, kNothingHit, type Hit } from "./picking.ts";
@@ -23,7 +25,7 @@ const kInto = 1e-5;
 const kTint = 0.55;
 const kNoSkin: HexSkin = { side: new Uint32Array(0), corners: new Uint32Array(0) };
 
-export const hexahedron_color = (hexahedra: Hexahedra, hexahedron: number, theme: Theme): Color =>
+const shape_color = (hexahedra: Hexahedra, hexahedron: number, theme: Theme): Color =>
   is_inverted(hexahedra, hexahedron) ? parse_color(kViewColors[theme].inverted) : ramp_color("shape", theme, hexahedra.shape[hexahedron]);
 
 export class HexView {
@@ -35,17 +37,23 @@ export class HexView {
   /** Those around one that is shown alone. */
   private readonly faint: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly picked = new LineSegments2(new LineSegmentsGeometry(), line_material(3.5, 1));
+  private readonly size: number;
   private readonly into: number;
   private skin = kNoSkin;
   private skin_around = kNoSkin;
   private theme: Theme = "light";
   private face = 0;
+  private color: HexColor = "shape";
+  /** Of each face that hexahedra lie on its place among them. */
+  private readonly place_of_face: Map<number, number>;
   private drawn = "";
   private outlined = -1;
 
   constructor({ low, high }: Scene, private readonly hexahedra: Hexahedra, uniforms: SharedUniforms) {
     this.skins = new HexSkins(hexahedra);
-    this.into = kInto * Math.hypot(...high.map((value, k) => value - low[k]));
+    this.place_of_face = new Map(faces_of_hexahedra(hexahedra).map((number, place) => [number, place]));
+    this.size = Math.hypot(...high.map((value, k) => value - low[k]));
+    this.into = kInto * this.size;
     this.solid = new Mesh(new BufferGeometry(), material_of(uniforms, 1));
     this.faint = new Mesh(new BufferGeometry(), material_of(uniforms, 0.12));
     this.faint.renderOrder = 9;
@@ -67,15 +75,17 @@ export class HexView {
   }
 
   /** Draws those below the cut, where it takes half away, and below the limit of shapes; or one alone. */
-  show({ layers, cut, below, hexahedron, alone, face }: Settings, normal: Vector, offset: number): void {
+  show({ layers, cut, below, hex_color, hexahedron, alone, face }: Settings, normal: Vector, offset: number): void {
     this.group.visible = layers.hexahedra;
     if (!layers.hexahedra) return;
     const plane = cut.on && cut.clip ? { normal, offset: offset - this.into } : null;
     const limit = below < 1 ? below : Infinity;
     const single = alone ? hexahedron : -1;
     const key = single >= 0 ? `alone ${single}` : `${plane ? [...normal, offset] : ""} ${limit}`;
-    if (key !== this.drawn || (face?.number ?? 0) !== this.face) {
+    const color = hex_colors(this.hexahedra).includes(hex_color) ? hex_color : "shape";
+    if (key !== this.drawn || color !== this.color || (face?.number ?? 0) !== this.face) {
       this.drawn = key;
+      this.color = color;
       this.face = face?.number ?? 0;
       const is_shown = single >= 0 ? this.only(single) : this.skins.shown(plane, limit);
       this.count = is_shown.reduce((sum, flag) => sum + flag, 0);
@@ -96,6 +106,13 @@ export class HexView {
   pick(origin: Vector, direction: Vector): Hit {
     const met = side_along(this.hexahedra, this.skin, origin, direction);
     return met ? { element: hexahedron_of(met.side), face: face_at(this.hexahedra.face[met.side] ?? 0, met.point) } : kNothingHit;
+  }
+
+  /** Whether those that are shown lie in front of a place, seen from this direction. */
+  hides(point: Vector, direction: Vector): boolean {
+    const met = side_along(this.hexahedra, this.skin, add(point, scaled(direction, this.size)), scaled(direction, -1));
+    // The place may lie beneath the side that it is of.
+    return met !== null && dot(subtract(met.point, point), direction) > hexahedron_radius(this.hexahedra, hexahedron_of(met.side));
   }
 
   center(hexahedron: number): Vector {
@@ -152,10 +169,18 @@ export class HexView {
   }
 
   private color_of(side: number): Color {
-    const color = hexahedron_color(this.hexahedra, hexahedron_of(side), this.theme);
+    const color = this.plain_color_of(side);
     if (this.face === 0 || this.hexahedra.face[side] !== this.face) return color;
     const tint = parse_color(kViewColors[this.theme].picked);
     return color.map((channel, k) => channel + kTint * (tint[k] - channel)) as Color;
+  }
+
+  private plain_color_of(side: number): Color {
+    const hexahedron = hexahedron_of(side);
+    if (this.color === "shape") return shape_color(this.hexahedra, hexahedron, this.theme);
+    if (this.color === "region") return parse_color(region_color(this.hexahedra.region[hexahedron]));
+    const place = this.place_of_face.get(this.hexahedra.face[side]);
+    return place === undefined ? parse_color(kViewColors[this.theme].cut) : face_color(place);
   }
 }
 

@@ -6,6 +6,7 @@ import { Box3, Color, Scene as ThreeScene, Vector3, WebGLRenderer } from "three"
 import type { Theme } from "../math/color_maps.ts";
 import { dot, type Vector } from "../math/frame.ts";
 import { element_count, type Scene } from "../scene/scene.ts";
+import { surface_normal } from "../scene/surface_normal.ts";
 import { cut_normal, type FieldName, type Settings } from "../settings.ts";
 import { CameraRig, type Covered } from "./camera_rig.ts";
 import { kRest } from "./curve_view.ts";
@@ -96,7 +97,7 @@ export class Stage {
     }
     field.apply(settings);
     const { layers, cut } = settings;
-    this.streams.show(layers.streamlines, settings.streams, theme);
+    this.streams.show(layers.streamlines && !field.shows_hexahedra(settings), settings.streams, theme);
     this.streams.cut(field.cut.normal, field.cut.offset, cut.on && cut.clip);
     this.marks.update(field.scene, settings);
     if (turned) this.rig.set_up(settings.up);
@@ -111,6 +112,23 @@ export class Stage {
   face_cut(animated: boolean): void {
     if (!this.settings.cut.on) return this.rig.view("iso", animated);
     this.rig.face(cut_normal(this.settings), animated);
+  }
+
+  /** Whether hexahedra hide a place from where the camera looks, or the cut has taken away those that are there. */
+  hides(point: Vector): boolean {
+    if (!this.shows_hexahedra) return false;
+    const { cut: { normal, offset }, hexahedra } = this.field;
+    const { on, clip } = this.settings.cut;
+    return (on && clip && dot(normal, point) > offset) || hexahedra!.hides(point, this.rig.direction);
+  }
+
+  /** The cut that takes away what is in front of a place on the surface, as seen against its normal, and nothing behind it. */
+  cut_to(point: Vector): Partial<Settings["cut"]> {
+    const { low, high } = this.scene;
+    const normal = surface_normal(this.scene, point);
+    const axis = normal.reduce((best, value, k) => (Math.abs(value) > Math.abs(normal[best]) ? k : best), 0);
+    const position = Math.min(1, Math.max(0, (point[axis] - low[axis]) / Math.max(high[axis] - low[axis], 1e-30)));
+    return { on: true, clip: true, axis: (["x", "y", "z"] as const)[axis], flip: normal[axis] < 0, position };
   }
 
   /** Size of a pixel where the camera looks, in model units. */
