@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lattice/lattice_planes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vector3.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Faces are normal to an axis within 6 degrees, and in one plane within this share of a size.
+constexpr double kNormalCosine = 0.995, kSamePlane = 0.01;
+
+/// The border of the surface gets a plane unless a face is this near to it, in sizes.
+constexpr double kBorderGap = 0.3;
+
+/// Wider holes are seen by planes that are a size apart.
+constexpr double kWidestHole = 2;
+
+/// Both sides of a wall or a gap get planes if they have this area, in squared sizes, and are this far apart.
+constexpr double kWallArea = 4, kThinnestWall = 0.02;
+
+struct FlatArea {
+  double coordinate, area;
+  double towards;  ///< area that looks along the axis, less that which looks back
+};
+
+/// The faces normal to an axis: each plane's mean coordinate and area, the largest first.
+std::vector<FlatArea> flat_areas(const Surface& surface, std::size_t axis, double size) {
+  std::vector<FlatArea> triangles;
+  for (std::size_t t = 0; t < surface.size(); ++t) {
+    if (std::abs(surface.normals[t][axis]) < kNormalCosine) continue;
+    const auto [a, b, c] = surface.corners(t);
+    triangles.push_back({(a[axis] + b[axis] + c[axis]) / 3, surface.areas[t],
+                         std::copysign(surface.areas[t], surface.normals[t][axis])});
+  }
+  std::ranges::sort(triangles, {}, &FlatArea::coordinate);
+  std::vector<FlatArea> planes;
+  for (std::size_t begin = 0, end = 0; begin < triangles.size(); begin = end) {
+    double area = 0, moment = 0, towards = 0;
+    for (; end < triangles.size() &&
+           triangles[end].coordinate - triangles[begin].coordinate < kSamePlane * size;
+         ++end) {
+      area += triangles[end].area;
+      moment += triangles[end].area * triangles[end].coordinate;
+      towards += triangles[end].towards;
+    }
+    planes.push_back({moment / area, area, towards});
+  }
+  std::ranges::stable_sort(planes, [](const FlatArea& a, const FlatArea& b) { return a.area > b.area; });
+  return planes;
+}
+
+/// Whether two planes bound a thin wall, or a thin gap: most of one looks away from most of the other.
+bool bound_wall(const FlatArea& a, const FlatArea& b, double size) {
+  const double least = kWallArea * size * size;
+  return a.towards * b.towards < 0 && std::min(std::abs(a.towards), std::abs(b.towards)) >= least &&
+         std::abs(a.coordinate - b.coordinate) >= kThinnestWall * size;
+}
+
+void add_apart(const FlatArea& flat, double gap, double size, std::vector<FlatArea>& planes) {
+  if (std::ranges::all_of(planes, [&](const FlatArea& other) {
+        return std::abs(flat.coordinate - other.coordinate) >= gap || bound_wall(flat, other, size);
+      }))
+    planes.push_back(flat);
+}
+
+/// Ascending, with as many between two of them as make the distances nearest to the size, and one beyond
+/// either end.
+std::vector<double> divided(std::vector<double> planes, double size) {
+  std::ranges::sort(planes);
+  std::vector<double> all = {planes.front()};
+  for (std::size_t k = 0; k + 1 < planes.size(); ++k) {
+    const double span = planes[k + 1] - planes[k];
+    const double parts = std::max(1.0, std::round(span / size));
+    for (double part = 1; part < parts; ++part) all.push_back(planes[k] + span * part / parts);
+    all.push_back(planes[k + 1]);
+  }
+  all.insert(all.begin(), all.front() - size);
+  all.push_back(all.back() + size);
+  return all;
+}
+
+}  // namespace
+
+LatticePlanes lattice_planes(const Surface& surface, double size, std::span<const Box> holes) {
+  LatticePlanes planes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<FlatArea> kept;
+    for (const FlatArea& flat : flat_areas(surface, axis, size))
+      if (flat.area >= kPlaneArea * size * size) add_apart(flat, kLeastGap * size, size, kept);
+    for (const double end : {surface.box.low[axis], surface.box.high[axis]})
+      add_apart({end, 0, 0}, kBorderGap * size, size, kept);
+    for (const Box& hole : holes) {
+      if (hole.high[axis] - hole.low[axis] >= kWidestHole * size) continue;
+      for (const double side : {hole.low[axis], hole.high[axis]})
+        add_apart({side, 0, 0}, kHoleGap * size, size, kept);
+    }
+    std::vector<double> coordinates;
+    for (const FlatArea& flat : kept) coordinates.push_back(flat.coordinate);
+    planes.at[axis] = divided(std::move(coordinates), size);
+  }
+  return planes;
+}
+
+}  // namespace crossgrain
