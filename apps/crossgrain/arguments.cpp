@@ -17,6 +17,7 @@
 #include "crossgrain/result_folder.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "results/result_files.hpp"
 #include "usage_faults.hpp"
 
 namespace crossgrain::app {
@@ -105,11 +106,15 @@ void check_hex(SolveArguments& arguments, const CLI::App* command) {
     refuse("MODEL is a tet mesh, which --tet-size is not for; give a surface or a CAD file", command);
   check_model(arguments, arguments.glue, command, "the folder of -o", ".hexahedra");
   refuse_file_name(arguments.output, "the mesh in hexahedra.inp, .mesh, .msh and .vtu", command);
+  if (arguments.lattice && !arguments.output_options.formats.empty())
+    refuse("--write is for fields and maps, which --lattice makes none of; leave one of them out", command);
   arguments.makes_tets = !is_tet_file(arguments.model);
 }
 
 void check_fit(SolveArguments& arguments, const CLI::App* command) {
   if (arguments.mesh.empty()) refuse("MESH is empty", command);
+  if (may_be_model(arguments.mesh) && !is_tet_file(arguments.mesh))
+    refuse(arguments.mesh + " holds no hexahedra: the mesh comes first, then the model", command);
   check_model(arguments, arguments.glue, command, "the folder of -o", ".fitted");
   refuse_file_name(arguments.output, "the mesh in hexahedra.inp, .mesh, .msh and .vtu", command);
 }

@@ -133,7 +133,7 @@ void add_looks(CLI::App& command, PictureOptions& options) {
        {"region", PictureColour::kRegion},
        {"face", PictureColour::kFace}},
       "Colour the surface by its angle to the nearest axis, by energy density, by constraint class, by "
-      "region or by face of the model, with numbers; hexahedra by 'face' only",
+      "region or by face of the model, with numbers; hexahedra by region or face only",
       "none|alignment|energy|class|region|face");
   add_parsed(
       command, "--range", parse_range, [&options](const auto& range) { options.range = range; },

@@ -52,6 +52,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' or 'crossgrain hex' has written", kAll},
     {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", kAll},
     {Remedy::kMakeHexahedra, "make them with 'crossgrain hex'", kAll},
+    {Remedy::kFitHexahedra, "'crossgrain fit' puts them onto a model", kAll},
     {Remedy::kNameOutput, "name one with -o", kAll},
     {Remedy::kChooseWritablePlace, "choose a place you may write to with -o", kAll},
     {Remedy::kFreeSpace, "free some space, or choose another disk with -o", kAll},

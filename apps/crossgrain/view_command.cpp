@@ -36,8 +36,12 @@ void check_folder(const std::filesystem::path& folder) {
   solve_of_result(folder);
   std::error_code failure;
   if (!std::filesystem::is_regular_file(folder / kPageName, failure))
-    throw Error(ErrorKind::kInput,
-                {folder.string(), "", fmt::format("has no {}; solve again without --no-report", kPageName)});
+    throw Error(
+        ErrorKind::kInput,
+        {folder.string(), "",
+         fmt::format("has no {}: draw it with 'crossgrain render', or make it again without --lattice or "
+                     "--no-report",
+                     kPageName)});
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ enum class Remedy : int {
   kGiveModel,  ///< not a field
   kTraceStreamlines,
   kMakeHexahedra,
+  kFitHexahedra,
   kContinueSolve,  ///< `solve_from` the field
   kSolveAnew,      ///< without CheckpointFolders::resume
   kGiveCheckpoint,

@@ -51,6 +51,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kGiveModel, "give_model", "give the mesh or surface itself"},
     {Remedy::kTraceStreamlines, "trace_streamlines", "trace streamlines and write them to it"},
     {Remedy::kMakeHexahedra, "make_hexahedra", "make hexahedra of its model and write them to it"},
+    {Remedy::kFitHexahedra, "fit_hexahedra", "put them onto a model as they are"},
     {Remedy::kContinueSolve, "continue_solve", "a solve that starts from this field goes on from here"},
     {Remedy::kSolveAnew, "solve_anew", "solve anew, without it"},
     {Remedy::kGiveCheckpoint, "give_checkpoint", "give the folder of a checkpoint"},

@@ -32,19 +32,36 @@ constexpr double kTetsPerCube = 6 * 1.4142135623730951;
 /// A unit that a part may be in while the size is in millimetres, or the other way round.
 struct Unit {
   const char* name;
+  const char* short_name;
   double millimetres;
 };
-constexpr std::array kUnits = {Unit{"inches", 25.4}, Unit{"metres", 1000}};
+constexpr std::array kUnits = {Unit{"inches", "inch", 25.4}, Unit{"metres", "m", 1000}};
 
 bool may_be_meant(double elements) {
   return elements >= kLeastMeant && elements <= kMostMeant;
 }
 
-/// Says what unit a size is in, with a guess if there is one; empty if it is known.
+/// Asks for the unit of a size, where another than the part's makes it one that suits.
+std::string other_unit_of(const AskedSize& asked, const PartSize& part) {
+  const auto question = [&](double size, const char* unit) {
+    return may_be_meant(part.longest / size)
+               ? fmt::format("; in {}? That is {} here", unit, length_text(size, part.unit))
+               : "";
+  };
+  for (const Unit& unit : kUnits) {
+    std::string text;
+    if (part.unit == "mm") text = question(asked.size * unit.millimetres, unit.name);
+    if (part.unit == unit.short_name) text = question(asked.size / unit.millimetres, "millimetres");
+    if (!text.empty()) return text;
+  }
+  return "";
+}
+
+/// Says what unit a size is in, with a guess if there is one.
 std::string unit_of(const AskedSize& asked, const PartSize& part) {
-  if (!part.unit.empty()) return "";
+  if (!part.unit.empty()) return other_unit_of(asked, part);
   std::string guess;
-  for (const auto& [name, millimetres] : kUnits) {
+  for (const auto& [name, short_name, millimetres] : kUnits) {
     if (!guess.empty()) break;
     if (may_be_meant(part.longest * millimetres / asked.size))
       guess = fmt::format("; {}?", name);

@@ -26,7 +26,7 @@ std::string sentence_of(const SolveReport::Onto::Repair& repair, const SolveRepo
       repair.led_arcs);
   text += fmt::format("; energy of the frames {:.4g} for {:.4g}", repair.energy, repair.energy_before);
   if (repair.bent_edges > 0)
-    text += fmt::format("; the map turns otherwise than the surface along {:.3g} of its edges",
+    text += fmt::format("; the map turns otherwise than the surface along edges of a length of {:.3g} in all",
                         repair.bent_length);
   return text + moved;
 }

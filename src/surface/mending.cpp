@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/mending.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -11,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/place.hpp"
 #include "surface/duplicates.hpp"
 #include "surface/edge_uses.hpp"
 #include "surface/patch_sides.hpp"
@@ -235,9 +238,18 @@ class Mender {
           "it is " + all +
           (triangles == 1 ? " that lies around no volume" : " that meet at edges and lie around no volume");
     } else {
-      what = "it is an open sheet of " + all;
+      what = "it is an open sheet of " + all + words_of_rim();
     }
     throw Error(ErrorKind::kInput, "the surface encloses nothing: " + what, Remedy::kCloseSurface);
+  }
+
+  /// Of the longest rim: ", open along 12.5 around 1 2 3".
+  std::string words_of_rim() const {
+    const auto rims = open_loops(mesh_.vertices, open_);
+    const auto longest = std::ranges::max_element(rims, {}, &OpenLoop::length);
+    if (longest == rims.end()) return "";
+    return fmt::format(", open along {:.4g} around {}", longest->length,
+                       words_of_place(longest->middle, longest_side(box_of(mesh_.vertices))));
   }
 
   void finish() {

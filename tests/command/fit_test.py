@@ -182,7 +182,7 @@ class Refused(FitTest):
     def test_are_files_of_something_else(self):
         self.refused("solid a\n", "is named .mesh but begins like an STL file", name="mesh.mesh")
         self.refused("*NODE\n1,0,0,0\n", "the file has no hexahedra", name="mesh.inp")
-        self.assert_fails(self.fit("box.stl", "box.stl"), INPUT, "no reader for hexahedra in '.stl' files")
+        self.assert_fails(self.fit("box.stl", "mesh.inp"), USAGE, "box.stl holds no hexahedra: the mesh comes first")
         self.assert_fails(self.fit("none.mesh", "box.stl"), INPUT, "none.mesh: ")
         self.assert_fails(self.run_here("fit", "mesh.inp"), USAGE, "MODEL")
 

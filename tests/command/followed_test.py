@@ -6,6 +6,7 @@ import re
 import unittest
 from pathlib import Path
 
+from fit_test import blocks, medit
 from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box
 from tets_test import MAKERS
 
@@ -96,6 +97,9 @@ class Followed(CommandTest):
         solve = ("solve", "box.mesh", "-o", "out", "--no-report")
         self.follow("kGiveFieldFolder", "give a folder that 'crossgrain solve' or 'crossgrain hex' has written", ["check", "box.mesh"], solve)
         self.assert_succeeds(self.run_here("check", "out"))
+        self.write("bricks.mesh", medit(*blocks((2, 2, 2), (2, 1, 1.5))))
+        self.follow("kFitHexahedra", "'crossgrain fit' puts them onto a model", ["hex", "bricks.mesh", "-o", "out"],
+                    ["fit", "bricks.mesh", "box.stl", "-o", "fitted"])
         self.follow("kMakeHexahedra", "make them with 'crossgrain hex'", ["render", "out", "--hexahedra", "-o", "a.png"],
                     ["hex", "box.mesh", "--cells", "4", "-o", "out", "--no-report"])
         self.assert_succeeds(self.run_here("render", "out", "--hexahedra", "-o", "a.png"))

@@ -74,6 +74,8 @@ TEST(AskedSize, InAnotherUnitIsRefusedWithTheUnitThatMayBeMeant) {
   const std::string known = refusal_of(3, {0.2, 0.1, 0.15}, "mm");
   expect_words(known, "hexahedra of 3 mm are too large for the part, which is 0.2 mm across");
   EXPECT_EQ(known.find('?'), std::string::npos);
+  expect_words(refusal_of(0.003, {200, 100, 150}, "mm"), "; in metres? That is 3 mm here");
+  expect_words(refusal_of(3, {0.2, 0.1, 0.15}, "m"), "; in millimetres? That is 0.003 m here");
 }
 
 TEST(AskedSize, BeyondAnyMemoryIsRefusedWithoutNumbersThatAreNone) {

@@ -107,6 +107,11 @@ void CellBuilder::count_other_solids(const CellType& type, std::uint64_t count, 
   }
 }
 
+bool CellBuilder::has_only_others_of(CellShape shape) const {
+  return !other_solids_.empty() &&
+         std::ranges::all_of(other_solids_, [&](const auto& entry) { return entry.first->shape == shape; });
+}
+
 void CellBuilder::refuse_other_solids(const char* words, Remedy remedy) const {
   if (other_solids_.empty()) return;
   std::string list;

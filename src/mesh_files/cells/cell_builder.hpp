@@ -124,6 +124,9 @@ class CellBuilder {
   /// <words> can be used".
   void refuse_other_solids(const char* words, Remedy remedy) const;
 
+  /// Whether there are solids of this other shape and of no other one.
+  bool has_only_others_of(CellShape shape) const;
+
   const InputFile& file() const { return *file_; }
   std::vector<Vector3>& vertices() { return vertices_; }
   std::vector<Warning>& warnings() { return warnings_; }

@@ -50,7 +50,8 @@ void TetBuilder::choose_edges(const std::vector<std::int64_t>& numbers, const Pl
 }
 
 TetMesh TetBuilder::finish(const Place& end) {
-  refuse_other_solids("tets", Remedy::kCutIntoTets);
+  refuse_other_solids(
+      "tets", has_only_others_of(CellShape::kHexahedron) ? Remedy::kFitHexahedra : Remedy::kCutIntoTets);
   if (mesh_.tets.empty() && !mesh_.feature_faces.empty())
     fail_input(file(), end,
                fmt::format("{} but no tets (for surfaces use STL, OBJ, PLY, OFF or 3MF)",
