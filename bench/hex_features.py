@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Prints a table of hexahedra as the judge of the tests (tests/command/hex_judge.py) sees them: validity, corners, creases, faces, distances.
 
-    hex_features.py --program CROSSGRAIN --out FOLDER [--cells 10,20,30] [--fifth] [--beside FOLDER|PROGRAM] [MODEL...]
+    hex_features.py --program CROSSGRAIN --out FOLDER [--cells 10,20,30] [--lattice] [--fifth] [--beside FOLDER|PROGRAM] [MODEL...]
 
 The set: meshes of ../shared/hexme, STEP files of models/ and ../shared/models/good, and parts of cad_parts.py. FOLDER gets MODEL-CELLS with the
 results and judged.json of each; with --judge only results that are there are judged again. --beside names the FOLDER of an earlier run, or
-another program, which is run too: then columns and totals compare numbers of hexahedra and worst shapes.
+another program, which is run too: then columns and totals compare numbers of hexahedra and worst shapes. --lattice runs `hex --lattice`, on the
+set that lattices are judged by: all meshes of the c series, all closed solids, the five parts, and those of cad_parts.py.
 """
 
 import argparse
@@ -32,20 +33,26 @@ MESHES = ("s01c_cube", "s02c_prism", "s03c_pentagon", "s04c_tetrahedron", "s05c_
           "n07c_anti_pyramid", "n09c_pyramid", "i25c_s40")
 GOOD = ("s11o_cube_cyl.stp", "i02o_m2.step", "featuretype.STEP")
 MODELS = ("housing.step", "pillow_block.step", "wedge.step")
+MORE_MODELS = ("bracket.step", "pipe_branch.step")
 FIFTH = 5
 GOOD_SHAPE, FAIR_SHAPE, LEAST_SHAPE, OF_BOUND = 0.2, 0.1, 0.02, 0.6  # scaled Jacobians, and the share of what features' angles allow
 
 
-def paths_of(shared, out):
+def paths_of(shared, out, of_lattices):
     """{name: path} of the set; packed meshes are unpacked into a folder, parts are made there."""
     out.mkdir(parents=True, exist_ok=True)
     found = {}
-    for name in MESHES:
+    meshes, models, good = MESHES, MODELS, [shared / "models" / "good" / name for name in GOOD]
+    if of_lattices:
+        meshes = sorted(path.name.removesuffix(".vtk.xz") for path in shared.glob("hexme/*c_*.vtk.xz"))
+        models += MORE_MODELS
+        good = sorted(path for path in (shared / "models" / "good").iterdir() if path.suffix != ".tsv")
+    for name in meshes:
         packed, found[name] = shared / "hexme" / f"{name}.vtk.xz", out / f"{name}.vtk"
         if packed.exists() and not found[name].exists():
             found[name].write_bytes(lzma.decompress(packed.read_bytes()))
-    for path in [*(ROOT / "models" / name for name in MODELS), *(shared / "models" / "good" / name for name in GOOD)]:
-        found[path.stem] = path
+    for path in [*(ROOT / "models" / name for name in models), *good]:
+        found[path.stem + ("_ply" if path.suffix == ".ply" else "")] = path
     for name in cad_parts.PARTS:
         found[name] = out / f"{name}.step"
         if not found[name].exists():
@@ -53,15 +60,15 @@ def paths_of(shared, out):
     return {name: path for name, path in found.items() if path.exists()}
 
 
-def run(program, path, cells, folder, seconds):
+def run(program, path, cells, folder, options):
     """Seconds taken, and why there is no report if there is none."""
-    command = [program, "hex", path, "--cells", str(cells), "-o", folder, "--force", "--no-report", "--quiet"]
+    command = [program, "hex", path, "--cells", str(cells), "-o", folder, "--force", "--no-report", "--quiet", *(["--lattice"] if options.lattice else [])]
     start = time.monotonic()
     try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=seconds)
+        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=options.seconds)
         fault = "" if (folder / "report.json").exists() else done.stderr.strip() or f"exit status {done.returncode}"
     except subprocess.TimeoutExpired:
-        fault = f"longer than {seconds} s"
+        fault = f"longer than {options.seconds} s"
     return time.monotonic() - start, fault
 
 
@@ -137,7 +144,7 @@ def results_of(program, out, tasks, options):
     for name, path, cells in tasks:
         folder, seconds, fault = out / f"{name}-{cells}", 0, ""
         if program and not options.judge:
-            seconds, fault = run(program, path, cells, folder, options.seconds)
+            seconds, fault = run(program, path, cells, folder, options)
         found = judge(path, cells, folder, options.out)
         if fault:
             found["reasons"] = [fault]
@@ -164,6 +171,7 @@ def main():
     parser.add_argument("--out", required=True, type=Path)
     parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared")
     parser.add_argument("--cells", default="10,20,30")
+    parser.add_argument("--lattice", action="store_true", help="hexahedra of lattices, on the set that these are judged by")
     parser.add_argument("--fifth", action="store_true", help="every fifth run of the set, always the same")
     parser.add_argument("--beside", type=Path)
     parser.add_argument("--judge", action="store_true", help="judge the results in FOLDER again, without the program")
@@ -172,7 +180,7 @@ def main():
     options = parser.parse_args()
     if not options.program and not options.judge:
         parser.error("--program is needed, or --judge")
-    paths = paths_of(options.shared, options.out)
+    paths = paths_of(options.shared, options.out, options.lattice)
     if unknown := set(options.models) - set(paths):
         parser.error(f"no such model: {', '.join(sorted(unknown))}; there are {', '.join(paths)}")
     tasks = [(name, paths[name], int(cells)) for name in options.models or paths for cells in options.cells.split(",")]

@@ -150,6 +150,7 @@ NAMES = {
     "TetMaker": {"kAutomatic": "automatic", "kGmsh": "gmsh", "kNetgen": "netgen"},
     "LengthUnit": {"kUnknown": "none", "kMicrometre": "um", "kMillimetre": "mm", "kCentimetre": "cm",
                    "kMetre": "m", "kInch": "inch", "kFoot": "foot"},
+    "HexPreference": {"kFeatures": "features", "kMap": "map", "kLattice": "lattice", "kMapOnly": "map_only"},
     "ForeignFiles": {"kRefuse": "refuse", "kKeep": "keep", "kReplace": "replace"},
     "PictureColour": {"kNone": "none", "kAlignment": "alignment", "kEnergy": "energy", "kConstraint": "class",
                       "kRegion": "region", "kFace": "face"},

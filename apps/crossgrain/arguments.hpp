@@ -42,6 +42,7 @@ struct SolveArguments {
 
   /// Whether and how to make hexahedra, as `hex` does; `options` and `tags` replace its own. Of a `fit` too.
   std::optional<HexMeshingOptions> hexahedra;
+  bool lattice = false;              ///< whether hexahedra are those of a lattice
   bool accepts_approximate = false;  ///< whether hexahedra that are HexOutcome::kApproximate will do
   bool repair = false;               ///< whether to repair the matchings of the field on tets
   double read_seconds = ReadOptions().read_seconds;

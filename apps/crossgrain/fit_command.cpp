@@ -8,14 +8,9 @@
 
 namespace crossgrain::app {
 
-FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
-                            const Monitor& monitor) {
-  HexMesh mesh;
-  {
-    const ReadLimits limits(monitor, arguments.options.max_memory_bytes);
-    mesh = read_hexahedra(arguments.mesh);
-  }
-  for (const Warning& warning : mesh.warnings) warn(warning);
+namespace {
+
+HexFitOptions fit_options(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn) {
   HexFitOptions options;
   options.crease_angle_deg = arguments.options.crease_angle_deg;
   options.tags = arguments.tags;
@@ -25,14 +20,53 @@ FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function
   options.max_memory_bytes = arguments.options.max_memory_bytes;
   options.threads = arguments.options.threads;
   options.on_warning = warn;
+  return options;
+}
+
+template <class Make>
+FittedHexahedra unless_interrupted(const Make& make, const Monitor& monitor) {
   try {
-    return naming(arguments.mesh, [&] {
-      return fit_hexahedra(mesh, std::filesystem::path(arguments.model), options, monitor);
-    });
+    return make();
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled()) throw;
     throw Error(ErrorKind::kInterrupted, "interrupted before there was a mesh; nothing is written");
   }
+}
+
+}  // namespace
+
+FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
+                            const Monitor& monitor) {
+  HexMesh mesh;
+  {
+    const ReadLimits limits(monitor, arguments.options.max_memory_bytes);
+    mesh = read_hexahedra(arguments.mesh);
+  }
+  for (const Warning& warning : mesh.warnings) warn(warning);
+  return unless_interrupted(
+      [&] {
+        return naming(arguments.mesh, [&] {
+          return fit_hexahedra(mesh, std::filesystem::path(arguments.model), fit_options(arguments, warn),
+                               monitor);
+        });
+      },
+      monitor);
+}
+
+FittedHexahedra lattice_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
+                             const std::function<void(const HexAttemptEnd&)>& on_end,
+                             const Monitor& monitor) {
+  HexMeshingOptions options = *arguments.hexahedra;
+  options.tags = arguments.tags;
+  options.solve = arguments.options;
+  options.tets.crease_angle_deg = options.solve.crease_angle_deg;
+  options.tets.read_seconds = arguments.read_seconds;
+  options.tets.glue = arguments.glue;
+  options.tets.unit = arguments.unit;
+  options.on_warning = warn;
+  options.on_attempt_end = on_end;
+  return unless_interrupted(
+      [&] { return lattice_hexahedra(std::filesystem::path(arguments.model), options, monitor); }, monitor);
 }
 
 }  // namespace crossgrain::app

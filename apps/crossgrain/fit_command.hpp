@@ -5,11 +5,16 @@
 
 #include "arguments.hpp"
 #include "crossgrain/hex_fit.hpp"
+#include "crossgrain/hex_lattice.hpp"
 
 namespace crossgrain::app {
 
 /// Reads the mesh of `fit` and puts it onto its model. Warnings of reading are handed out before the work.
 FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
                             const Monitor& monitor);
+
+/// Makes hexahedra of a lattice. Attempts are heard of as they end.
+FittedHexahedra lattice_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
+                             const std::function<void(const HexAttemptEnd&)>& on_end, const Monitor& monitor);
 
 }  // namespace crossgrain::app

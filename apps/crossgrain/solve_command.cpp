@@ -385,10 +385,14 @@ void announce_replaced(const Job& job) {
   print_message(job.arguments.output + ": the field of " + *replaced + " will be replaced");
 }
 
-/// Puts hexahedra onto the model and writes them.
+/// Puts hexahedra that are given, or those of a lattice, onto the model and writes them.
 SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
   job.monitor.report({Phase::kRead, 0, 0, 0, 0});
-  FittedHexahedra fitted = fitted_mesh(job.arguments, job.warn, job.monitor);
+  const auto on_end = [&](const HexAttemptEnd& end) {
+    if (job.lines != nullptr) job.lines->end_attempt(end);
+  };
+  FittedHexahedra fitted = job.arguments.lattice ? lattice_mesh(job.arguments, job.warn, on_end, job.monitor)
+                                                 : fitted_mesh(job.arguments, job.warn, job.monitor);
   if (fitted.hexahedra().is_stopped) {
     job.leave_line();
     announce_stop(best_text(fitted.hexahedra()));
@@ -397,6 +401,15 @@ SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservatio
   job.monitor.report({Phase::kWrite, 0, 0, 0, 0});
   fitted.report.seconds.total = seconds_since(job.start);
   return write_fitted(fitted, job.arguments.output, job.monitor, output_options_for(job, reservation));
+}
+
+/// Leaves out the formats of maps where hexahedra are those of a lattice, with a warning.
+void leave_out_maps(const Job& job, OutputOptions& options) {
+  const auto is_of_map = [](const std::string& name) { return name == "hexex" || name == "map"; };
+  if (std::erase_if(options.formats, is_of_map) == 0) return;
+  job.leave_line();
+  print_message(
+      "warning: no file of a map is written, since these are hexahedra of a lattice; see --map-only");
 }
 
 /// Solves, transfers the field to the tets if there are any, and writes all files.
@@ -413,7 +426,10 @@ SolveReport solve_and_write(const Job& job, const std::shared_ptr<FolderReservat
   OutputOptions output_options = output_options_for(job, reservation);
   if (made) {
     output_options.hexahedra = {made, &made->mesh};
-    output_options.hex_map = {made, &made->map};
+    if (made->map.tets.empty())
+      leave_out_maps(job, output_options);
+    else
+      output_options.hex_map = {made, &made->map};
   }
   if (arguments.page)
     output_options.companion =
@@ -491,7 +507,8 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     };
     const SolveOnGrid on_grid = together ? together : solve_alone;
     const Job job{arguments, on_grid, monitor, warn, tell, &lines, start};
-    report = arguments.mesh.empty() ? solve_and_write(job, reservation) : fit_and_write(job, reservation);
+    const bool has_field = arguments.mesh.empty() && !arguments.lattice;
+    report = has_field ? solve_and_write(job, reservation) : fit_and_write(job, reservation);
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)

@@ -32,6 +32,16 @@ crossgrain_status crossgrain_hexahedra_make_in_tets(const crossgrain_domain* dom
                                                     crossgrain_monitor* monitor, crossgrain_hexahedra** out,
                                                     crossgrain_error** error);
 
+/** Meshes a model in a file, or inside a closed surface in memory, by a lattice (lattice_hexahedra).
+ * `options` of kind CROSSGRAIN_HEX_MESHING_OPTIONS, or NULL. These hexahedra have no field. */
+crossgrain_status crossgrain_hexahedra_lattice(const char* path, const crossgrain_options* options,
+                                               crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                               crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_lattice_inside(const crossgrain_mesh* surface,
+                                                      const crossgrain_options* options,
+                                                      crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                                      crossgrain_error** error);
+
 /** Hexahedra that follow a field on tets (hexahedra), which were prepared for a map before. `options` of kind
  * CROSSGRAIN_HEX_OPTIONS, or NULL. */
 crossgrain_status crossgrain_tet_field_hexahedra(const crossgrain_tet_field* field,

@@ -8,6 +8,7 @@
 #include "crossgrain/finding.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/hex_fit.hpp"
+#include "crossgrain/hex_lattice.hpp"
 #include "crossgrain/hex_map.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/hexahedra.hpp"

@@ -65,6 +65,7 @@ struct HexFeatures {
 
   std::vector<Lack> lacking;    ///< why hexahedra are only approximate
   std::vector<Lack> too_small;  ///< smaller than the hexahedra and not kept
+  std::size_t small = 0;        ///< corners, creases and faces that are smaller, kept or not
 
   /// Whether all that is resolved is kept, and the surface within the limits.
   bool is_faithful() const { return lacking.empty(); }
@@ -98,13 +99,14 @@ struct HexFitTry {
 };
 
 /// Returns what is lacking: "2 creases are not kept, the first, edge 14, around 1 2 3"; empty if nothing is.
-std::string lacks_of(const HexFeatures& features);
+/// `size` is that of the hexahedra (HexReport::used_size), which distances are given beside.
+std::string lacks_of(const HexFeatures& features, double size);
 
 /// Returns how the topology differs: "it has 1 tunnel, the model 2"; empty if it does not.
 std::string topology_of(const HexFeatures& features);
 
-/// Returns what is kept: "8 of 8 corners, 12 of 12 creases and 6 of 6 faces kept; 3 smaller than the
-/// hexahedra".
+/// Returns what is kept: "8 of 8 corners, 12 of 12 creases and 6 of 6 faces kept; 3 others smaller than
+/// the hexahedra, 2 of which are not kept".
 std::string kept_of(const HexFeatures& features);
 
 /// @}

@@ -18,7 +18,7 @@ namespace crossgrain {
 
 /// One attempt of a search for hexahedra.
 struct HexAttempt {
-  std::string kind;        ///< "tets", "repair", "part of the model", "smaller hexahedra"
+  std::string kind;        ///< "tets", "repair", "part of the model", "smaller hexahedra", "lattice"
   std::size_t number = 0;  ///< of the attempt at a mesh, from 1, as Progress::attempt; 0 for other tets
   std::size_t round = 0;   ///< number of the tets and the field on them, from 0
   std::size_t tets = 0;    ///< of the field: after splits for the map
@@ -39,6 +39,9 @@ struct HexAttempt {
   double work = 0;           ///< in costs of edges and vertices that a repair finds
   double seconds = 0;
 
+  /// Whether its hexahedra are cells of a lattice, which follow no field.
+  bool is_of_lattice() const { return kind == "lattice"; }
+
   /// Whether the map is without flips until its numbers are whole: smaller hexahedra may have one.
   bool is_folded_by_rounding() const {
     return arcs_without_length == 0 && seamless_flips == std::size_t{0} && flips.value_or(0) > 0;
@@ -55,6 +58,7 @@ struct HexReport {
   /// and the same in terms of map and field. Of kAllHex what is wrong with it all the same: hexahedra that
   /// are badly shaped.
   std::string reason, detail;
+  std::string map_fault = {};  ///< why no map was taken, where the mesh is of a lattice and maps were tried
   Remedy remedy = Remedy::kNone;  ///< what to try then; kNone if nothing is known to help
   double remedy_number = 0;       ///< if `has_number`
   double remedy_hexahedra = 0;    ///< forecast of their number, where the remedy is kUseHexSize

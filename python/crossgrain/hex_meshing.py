@@ -39,11 +39,12 @@ def _is_tets(model: Any, elements: Any) -> bool:
 
 def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builtin
         size: Optional[float] = None, cells: Optional[float] = None, tet_size: Optional[float] = None,
-        seed: Optional[int] = None, threads: Optional[int] = None, max_memory_bytes: Optional[int] = None,
+        lattice: bool = False, seed: Optional[int] = None, threads: Optional[int] = None,
+        max_memory_bytes: Optional[int] = None,
         options: Optional[HexMeshingOptions] = None, progress: ProgressOption = None) -> HexMesh:
     """Meshes a solid with hexahedra that follow a field: cuts it into tets, solves on them and repairs the
     field, maps it to the unit grid and pulls its cells back (docs/hexahedra.md). Where that does not fill the
-    model, tets of other sizes are tried.
+    model, or does not keep its features, tets of other sizes are tried, and a lattice is put onto the model.
 
     The model is a file (STEP, IGES, BREP, FCStd; STL, OBJ, PLY, OFF, 3MF; tets in Medit, Gmsh, VTK), two
     arrays (points (n, 3), and triangles (m, 3) or tets (m, 4)), a mesh of meshio or trimesh, a `Surface` or a
@@ -56,6 +57,10 @@ def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builti
     tet_size:
         largest edge of the tets that are made; by default that of the hexahedra, at most 1/20 of the longest
         side
+    lattice:
+        make only a lattice, put onto the model: in seconds, without tets, field and map; ``field`` of the
+        result raises UsageError. `HexOptions.preference` tells when one is made otherwise. Arrays must be
+        triangles
     seed, threads, max_memory_bytes:
         of the solve, as for `solve`; the memory is that of all steps
     options:
@@ -76,7 +81,7 @@ def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builti
     if elements is None and is_path(model):
         what: Any = path_bytes(model)
         name, path = "hexahedra_make", path_bytes(model).decode("utf-8", "surrogateescape")
-    elif _is_tets(model, elements):
+    elif not lattice and _is_tets(model, elements):
         has_elements = elements is not None
         given = TetMesh(model, elements, tags_options=chosen.tags) if has_elements else tets_of(model, None)
         what, name = given._handle, "hexahedra_make_in_tets"
@@ -85,6 +90,8 @@ def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builti
         surface = surface_of(model, elements, lambda: None)
         what, name = surface._handle, "hexahedra_make_inside"
         path, read_seconds = surface.path, surface.read_seconds
+    if lattice:
+        name = name.replace("make", "lattice")
     with listener(progress) as hear, naming(path):
         mesh = watched(lambda monitor: made("hexahedra", name, what, handle, monitor.handle), hear)
     return HexMesh(mesh, path, read_seconds)

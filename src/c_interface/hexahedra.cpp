@@ -66,6 +66,27 @@ crossgrain_status crossgrain_hexahedra_make_in_tets(const crossgrain_domain* dom
   });
 }
 
+crossgrain_status crossgrain_hexahedra_lattice(const char* path, const crossgrain_options* options,
+                                               crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                               crossgrain_error** error) {
+  return made(out, error, [&] {
+    return new crossgrain_hexahedra(lattice_hexahedra(std::filesystem::path(&given(path, "path")),
+                                                      options_or_defaults<HexMeshingOptions>(options),
+                                                      monitor_of(monitor)));
+  });
+}
+
+crossgrain_status crossgrain_hexahedra_lattice_inside(const crossgrain_mesh* surface,
+                                                      const crossgrain_options* options,
+                                                      crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                                      crossgrain_error** error) {
+  return made(out, error, [&] {
+    return new crossgrain_hexahedra(lattice_hexahedra(given(surface, "surface").mesh,
+                                                      options_or_defaults<HexMeshingOptions>(options),
+                                                      monitor_of(monitor)));
+  });
+}
+
 crossgrain_status crossgrain_tet_field_hexahedra(const crossgrain_tet_field* field,
                                                  const crossgrain_options* options,
                                                  crossgrain_monitor* monitor, crossgrain_hexahedra** out,

@@ -54,6 +54,8 @@ inline constexpr std::array kOptionNames<TetMaker>{"automatic", "gmsh", "netgen"
 template <>
 inline constexpr std::array kOptionNames<LengthUnit>{"none", "um", "mm", "cm", "m", "inch", "foot"};
 template <>
+inline constexpr std::array kOptionNames<HexPreference>{"features", "map", "lattice", "map_only"};
+template <>
 inline constexpr std::array kOptionNames<ForeignFiles>{"refuse", "keep", "replace"};
 template <>
 inline constexpr std::array kOptionNames<PictureColour>{"none",  "alignment", "energy",

@@ -45,12 +45,9 @@ constexpr double kFairShape = 0.4;
 /// Classes of worst shapes between which a difference counts: a tenth of a scaled Jacobian is worth no more
 /// hexahedra.
 int class_of(double least) {
-  return static_cast<int>(std::ranges::count_if(std::array{kPoorestShape, 0.1, kGoodShape, kFairShape},
+  return static_cast<int>(std::ranges::count_if(std::array{kPoorestShape, 0.05, 0.1, kGoodShape, kFairShape},
                                                 [&](double bound) { return least >= bound; }));
 }
-
-/// Bytes for a hexahedron while it is fitted, beyond the mesh as given: 2.2 kB on n03c of 14,000.
-constexpr double kBytesOfFittedHexahedron = 2800;
 
 void require_memory_of(const HexMesh& fitted) {
   const std::size_t count = fitted.hexahedra.size();
@@ -109,50 +106,57 @@ FittedMesh measured(HexMesh mesh, const FeatureComplex& features, double size) {
   return fitted;
 }
 
-HexCarriers carriers_in(const HexMesh& mesh, const FeatureComplex& features, const Embedding& embedding) {
+/// A mesh that curves and faces are embedded in.
+struct Embedded {
+  HexMesh mesh;
+  FeatureComplex features;  ///< without the soft curves that have no path
+  Embedding embedding;
+};
+
+HexCarriers carriers_in(const Embedded& embedded) {
+  const Embedding& embedding = embedded.embedding;
   std::vector<HexCarriers::Quad> quads;
-  const QuadComplex surface = surface_of(mesh, features);
+  const QuadComplex surface = surface_of(embedded.mesh, embedded.features);
   for (std::uint32_t q = 0; q < surface.quads().size(); ++q)
     if (const std::uint32_t face = embedding.face_of_quad[q]; face != Embedding::kNone)
       quads.push_back({surface.quads()[q].vertices, face});
-  return carriers_on(mesh.vertices.size(), features, embedding.vertex_of_corner, embedding.path_of_curve,
-                     std::move(quads));
+  return carriers_on(embedded.mesh.vertices.size(), embedded.features, embedding.vertex_of_corner,
+                     embedding.path_of_curve, std::move(quads));
 }
 
 /// The ways, one after the other, with the best so far.
 class FittingWays {
  public:
   FittingWays(const HexMesh& mesh, const FeatureComplex& features, double size)
-      : given_(mesh), features_(features), embedded_features_(features), size_(size) {}
+      : given_(mesh), features_(features), size_(size) {}
 
   void measure_given() { keep(HexFitWay::kAsMapped, measured(given_, features_, size_), 0); }
 
   bool is_good() const { return fit_.best.is_good(); }
   bool is_fair() const { return is_good() && fit_.best.least >= kFairShape; }
+  bool is_as_given() const { return fit_.best_try == 0; }
 
   void embed() {
     for (const bool makes_room : {true, false}) {
-      embedded_ = given_;
-      embedded_features_ = features_;
-      embedding_ = embedded(embedded_, embedded_features_, size_, {makes_room});
-      if (is_manifold(embedded_)) return;
+      embedded_ = {given_, features_, {}};
+      embedded_.embedding = embedded(embedded_.mesh, embedded_.features, size_, {makes_room});
+      if (is_manifold(embedded_.mesh)) return;
     }
   }
 
   /// A mesh that is nearly on its features stays as it is elsewhere.
   void snap() {
-    require_memory_of(embedded_);
-    const HexFittingOptions options{.point_rounds = 0, .slide_rounds = 0, .relaxations = 1};
-    keep(HexFitWay::kSnapped, moved(options), embedding_.faults.size());
+    require_memory_of(embedded_.mesh);
+    keep_moved(HexFitWay::kSnapped, embedded_, {.point_rounds = 0, .slide_rounds = 0, .relaxations = 1});
   }
 
-  void fit() { keep(HexFitWay::kFitted, moved({}), embedding_.faults.size()); }
+  void fit() { keep_moved(HexFitWay::kFitted, embedded_, {}); }
 
   void fit_with_layers() {
-    add_layers(embedded_, embedded_features_, embedding_);
-    require_memory_of(embedded_);
-    if (!is_manifold(embedded_)) return;
-    keep(HexFitWay::kLayered, moved({}), embedding_.faults.size());
+    Embedded layered = embedded_;
+    add_layers(layered.mesh, layered.features, layered.embedding);
+    require_memory_of(layered.mesh);
+    if (is_manifold(layered.mesh)) keep_moved(HexFitWay::kLayered, layered, {});
   }
 
   void stop() { fit_.is_stopped = true; }
@@ -164,31 +168,31 @@ class FittingWays {
   }
 
  private:
-  /// The embedded mesh, moved onto its features.
-  FittedMesh moved(const HexFittingOptions& options) const {
-    HexMesh mesh = embedded_;
-    fit_onto(mesh, embedded_features_, carriers_in(mesh, embedded_features_, embedding_), size_, options);
-    tag_boundary(mesh);
-    return measured(std::move(mesh), features_, size_);
+  /// An embedded mesh, moved onto its features.
+  void keep_moved(HexFitWay way, const Embedded& embedded, const HexFittingOptions& options) {
+    HexMesh mesh = embedded.mesh;
+    fit_onto(mesh, embedded.features, carriers_in(embedded), size_, options);
+    tag_boundary(mesh, embedded);
+    keep(way, measured(std::move(mesh), features_, size_), embedded.embedding.faults.size());
   }
 
   /// Soft curves without a path divide faces all the same: quads have the number of the nearest of those that
   /// are one in the embedding.
-  void tag_boundary(HexMesh& mesh) const {
-    const FacesOfQuads faces(mesh, embedded_features_, embedding_);
+  void tag_boundary(HexMesh& mesh, const Embedded& embedded) const {
+    const FacesOfQuads faces(mesh, embedded.features, embedded.embedding);
     const FeatureTrees trees(features_);
     std::vector<std::uint32_t> groups;
     for (const FeatureComplex::Face& face : features_.faces)
-      groups.push_back(embedding_.group_of_face[embedded_features_.face_of[face.triangles.front()]]);
+      groups.push_back(embedded.embedding.group_of_face[embedded.features.face_of[face.triangles.front()]]);
     parallel_for(mesh.boundary.size(), [&](std::size_t q) {
       HexMesh::Face& quad = mesh.boundary[q];
       const std::uint32_t index = faces.face(quad.vertices);
       if (index == Embedding::kNone) return;
-      const FeatureComplex::Face& face = embedded_features_.faces[index];
+      const FeatureComplex::Face& face = embedded.features.faces[index];
       Vector3 centre{0, 0, 0};
       for (const std::uint32_t v : quad.vertices) centre += 0.25 * mesh.vertices[v];
       const std::uint32_t nearest = trees.nearest_face(centre, face.below, face.above);
-      const bool is_of_group = groups[nearest] == embedding_.group_of_face[index];
+      const bool is_of_group = groups[nearest] == embedded.embedding.group_of_face[index];
       quad.tag = is_of_group ? features_.faces[nearest].number : face.number;
     });
   }
@@ -204,11 +208,9 @@ class FittingWays {
 
   const HexMesh& given_;
   const FeatureComplex& features_;
-  FeatureComplex embedded_features_;  ///< without the soft curves that have no path
   const double size_;
   Stopwatch stopwatch_;
-  HexMesh embedded_;
-  Embedding embedding_;
+  Embedded embedded_;
   FeatureFit fit_;
 };
 
@@ -227,6 +229,7 @@ FeatureMeasure sharp_feature_measure(const HexMesh& mesh, const FeatureComplex& 
     std::ranges::stable_sort(measure.*list, {}, &FeatureMeasure::Lack::kind);
   }
   measure.faces = of_faces.faces;
+  measure.small.back() = of_faces.small.back();
   return measure;
 }
 
@@ -245,15 +248,21 @@ bool is_better_fit(const FittedMesh& mesh, const FittedMesh& other) {
   return worth(mesh) > worth(other);
 }
 
-FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, double size) {
+FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, double size,
+                              FitWays tried) {
   FittingWays ways(mesh, features, size);
   try {
     ways.measure_given();
     if (!ways.is_good() && is_manifold(mesh)) {
       ways.embed();
-      ways.snap();
-      if (!ways.is_fair()) ways.fit();
-      if (!ways.is_good()) ways.fit_with_layers();
+      if (tried == FitWays::kAll) {
+        ways.snap();
+        if (!ways.is_fair()) ways.fit();
+        if (!ways.is_good()) ways.fit_with_layers();
+      } else {
+        ways.fit_with_layers();
+        if (ways.is_as_given()) ways.snap();
+      }
     }
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::kInterrupted)

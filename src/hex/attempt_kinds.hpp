@@ -13,6 +13,9 @@ namespace crossgrain {
 /// HexAttempt::kind of attempts at a part of the model.
 inline constexpr const char* kPartOfModel = "part of the model";
 
+/// HexAttempt::kind of lattices.
+inline constexpr const char* kLatticeKind = "lattice";
+
 /// Attempts at the repairs of the field that a round starts from, each mapped if all its arcs have a length:
 /// repairs without faults first, the best first; then what faults become when they wander; two at the same
 /// time, until one fills the model. A field that is repaired already is the only attempt.
@@ -25,5 +28,10 @@ std::unique_ptr<AttemptKind> part_of_model(const HexTuning& tuning);
 /// Attempts at smaller hexahedra on the best maps of rounds that are without flips until their numbers are
 /// whole. Other tets come first, where there are some: they may have a map at the size that was asked for.
 std::unique_ptr<AttemptKind> smaller_hexahedra(const HexOptions& options, const HexTuning& tuning);
+
+/// The attempt at lattices of the model (lattice_hexahedra), which follow no field: once the work of maps is
+/// HexTuning::map_work, or one of them is approximate, or nothing else is left; by HexOptions::preference
+/// before or after that, or never.
+std::unique_ptr<AttemptKind> lattice_attempt(const HexOptions& options, const HexTuning& tuning);
 
 }  // namespace crossgrain

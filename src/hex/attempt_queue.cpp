@@ -31,6 +31,12 @@ void AttemptQueue::tell_more(Progress& progress) const {
   progress.outcome = best_->made->outcome();
 }
 
+bool AttemptQueue::is_done() const {
+  if (!best_) return false;
+  if (is_good(*best_, least_quality_) || best_->ends_search()) return true;
+  return ends_at_approximate_ && best_->is_filled() && best_->made->quality.least >= least_quality_;
+}
+
 void AttemptQueue::run() {
   AttemptKind* next = ready();
   while (next != nullptr) {
@@ -78,8 +84,8 @@ void AttemptQueue::tell_ends(const AttemptKind* next) {
       ends_.back().over = why_over();
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       HexAttemptEnd& end = ends_[k];
-      if (k + 1 < ends_.size())
-        end.next = fmt::format("{} (attempt {}, which ran beside this one)", plan_, ends_[k + 1].attempt);
+      if (k + 1 < ends_.size() && end.next.empty())
+        end.next = fmt::format("{} (attempt {}, beside this one)", plan_, ends_[k + 1].attempt);
       end.tets = round_ + 1;
       end.most_tets = most_rounds();
       on_end_(end);
@@ -89,7 +95,6 @@ void AttemptQueue::tell_ends(const AttemptKind* next) {
 }
 
 AttemptKind* AttemptQueue::due() const {
-  if (is_exhausted() && has_mesh()) return nullptr;
   AttemptKind* first = nullptr;
   std::optional<Turn> least;
   for (const auto& kind : kinds_) {
@@ -155,7 +160,10 @@ void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   seconds_.smoothing += seconds.smoothing;
   if (attempt.seconds == 0) attempt.seconds = seconds.sum();
   candidate.number = attempts_.size();
-  if (kind.makes_meshes()) add_end(attempt, end_of(candidate, least_quality_));
+  if (kind.makes_meshes()) {
+    add_end(attempt, end_of(candidate, least_quality_));
+    ends_.back().next = candidate.next;
+  }
   attempts_.push_back(attempt);
   if (candidate.made || candidate.followed)
     keep_if_better(std::make_shared<const HexCandidate>(std::move(candidate)));

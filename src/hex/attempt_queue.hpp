@@ -28,7 +28,7 @@ class AttemptQueue;
 struct Turn {
   std::size_t round = 0;
 
-  enum class Step : int { kTets, kRepair, kPart, kSmaller };
+  enum class Step : int { kTets, kRepair, kPart, kSmaller, kLattice };
   Step step = Step::kTets;
 
   auto operator<=>(const Turn&) const = default;
@@ -76,9 +76,9 @@ struct StartingField {
 };
 
 /// The only search: what is due first is made first, of what is due at the same time the kind that was added
-/// first. It ends with a good candidate (is_good), when nothing is due, or once the work of all attempts is
-/// `most_work` and there is a mesh. Work is counted, never timed, so that results are the same on every
-/// machine.
+/// first. It ends with a good candidate (is_good) or one that ends it (HexCandidate::ends_search), when
+/// nothing is due, or once the work of all attempts is `most_work` and there is a mesh, but for last resorts.
+/// Work is counted, never timed, so that results are the same on every machine.
 class AttemptQueue {
  public:
   /// The monitor must outlive the queue.
@@ -90,6 +90,9 @@ class AttemptQueue {
   /// thrown if there is no mesh yet, and kInterrupted always but after a stop that the monitor allows: that
   /// is the end, if there is a mesh.
   void run();
+
+  /// Takes candidates for good although they do not keep all of the model.
+  void end_at_approximate() { ends_at_approximate_ = true; }
 
   /// Calls a listener at the end of each attempt at a mesh.
   void hear_ends(std::function<void(const HexAttemptEnd&)> listener) { on_end_ = std::move(listener); }
@@ -115,6 +118,9 @@ class AttemptQueue {
   const HexCandidate* best() const { return best_.get(); }
   const std::vector<std::shared_ptr<const HexCandidate>>& best_of_rounds() const { return of_rounds_; }
 
+  /// Whether there is a mesh.
+  bool has_mesh() const { return best_ && best_->made; }
+
   /// Number of the best attempt in attempts().
   std::size_t best_attempt() const { return best_ ? best_->number : 0; }
 
@@ -126,6 +132,10 @@ class AttemptQueue {
 
   /// Seconds of the steps of all of them.
   const HexSeconds& seconds() const { return seconds_; }
+
+  /// The work of all attempts so far, and whether it is the most.
+  double work() const { return work_; }
+  bool is_exhausted() const { return work_ >= most_work_ && best_; }
 
   double most_work() const { return most_work_; }
   double least_quality() const { return least_quality_; }
@@ -143,14 +153,13 @@ class AttemptQueue {
   void tell_ends(const AttemptKind* next);
   std::string why_over() const;
   bool is_ended_by_stop();
-  bool is_exhausted() const { return work_ >= most_work_ && best_; }
   std::size_t most_rounds() const;
   void keep_if_better(const std::shared_ptr<const HexCandidate>& candidate);
-  bool has_mesh() const { return best_ && best_->made; }
-  bool is_done() const { return best_ && is_good(*best_, least_quality_); }
+  bool is_done() const;
   void tell_more(Progress& progress) const;
 
   double most_work_, least_quality_, work_ = 0;
+  bool ends_at_approximate_ = false;
   bool may_be_stopped_, is_stopped_ = false;
   Monitor monitor_;
   std::function<void(const HexAttemptEnd&)> on_end_;

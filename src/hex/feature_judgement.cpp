@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "fit/feature_fit.hpp"
 #include "hex/model_fit.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "surface/model_faces.hpp"
@@ -88,9 +88,16 @@ HexFeatures features_kept(const FeatureMeasure& measured) {
   kept.of_model = distances_in(measured.distances.of_model);
   kept.lacking = lacks_in(measured.lacking);
   kept.too_small = lacks_in(measured.too_small);
+  kept.small = std::accumulate(measured.small.begin(), measured.small.end(), std::size_t{0});
   kept.shells = measured.shells;
   kept.model_shells = measured.model_shells;
   return kept;
+}
+
+void record(const FeatureFit& fit, HexReport& report) {
+  if (!fit.tries.empty()) report.features = features_kept(fit.best.measure);
+  report.fit_tries = fit.tries;
+  report.best_fit = fit.best_try;
 }
 
 void judge_features(const HexMesh& mesh, HexReport& report) {
@@ -109,7 +116,7 @@ void judge_features(const HexMesh& mesh, HexReport& report) {
         {HexLackKind::kVolume, 0, report.largest_distance_of_model_place, features.volume_ratio});
   if (features.lacking.empty()) return;
   report.outcome = HexOutcome::kApproximate;
-  report.reason = lacks_of(features);
+  report.reason = lacks_of(features, report.used_size);
   for (const HexFeatures::Lack& lack : features.lacking)
     if (report.places.size() < HexReport::kMostPlaces) report.places.push_back(lack.place);
   if (size) {

@@ -6,6 +6,7 @@
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/hex_report.hpp"
 #include "crossgrain/tet_domain.hpp"
+#include "fit/feature_fit.hpp"
 #include "measure/feature_measure.hpp"
 #include "surface/feature_complex.hpp"
 
@@ -23,6 +24,10 @@ HexFeatures features_kept(const HexMesh& mesh, const FeatureComplex& features, d
 
 /// The same of hexahedra of one region that are measured already (sharp_feature_measure).
 HexFeatures features_kept(const FeatureMeasure& measured);
+
+/// Tells in a report how a mesh was fitted, and what it keeps. Without features where nothing was measured
+/// before a stop.
+void record(const FeatureFit& fit, HexReport& report);
 
 /// Judges a result that is kAllHex so far by its features and its volume: kApproximate if it lacks any of
 /// these, with reason, places and what to try; kPartial if it has another topology than its model. The report

@@ -9,6 +9,7 @@
 #include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "hex/candidate_fitting.hpp"
 #include "hex/hex_memory.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
@@ -148,6 +149,7 @@ HexCandidate mapped_candidate(const HexCandidate& of, double size, const HexTuni
   attempt.work =
       kMapWork * static_cast<double>(attempt.tets) + kHexahedronWork * static_cast<double>(attempt.hexahedra);
   candidate.following = std::move(following);
+  if (effort == MappingEffort::kFull) mend_by_fitting(candidate);
   return candidate;
 }
 

@@ -3,10 +3,13 @@
 
 #include <tuple>
 
+#include "fit/feature_fit.hpp"
+
 namespace crossgrain {
 
 bool is_good(const HexCandidate& candidate, double least_quality) {
-  return candidate.is_filled() && candidate.made->quality.least >= least_quality;
+  return candidate.is_filled() && candidate.made->is_faithful &&
+         candidate.made->quality.least >= least_quality;
 }
 
 bool is_better_in_round(const HexCandidate& candidate, const HexCandidate& other, double least_quality) {
@@ -21,8 +24,10 @@ bool is_better_in_round(const HexCandidate& candidate, const HexCandidate& other
 
 bool is_better(const HexCandidate& candidate, const HexCandidate& other, double least_quality) {
   const auto rank = [&](const HexCandidate& of) {
-    return std::tuple(!is_good(of, least_quality), !(of.made && of.made->are_complete()),
-                      !(of.made && of.made->fills), of.made ? of.made->volume_missed : 1);
+    const bool is_complete = of.made && of.made->are_complete();
+    const bool is_usable = is_complete && of.made->quality.least >= kPoorestShape;
+    return std::tuple(!is_good(of, least_quality), !(is_usable && of.made->is_faithful), !is_usable,
+                      !is_complete, !(of.made && of.made->fills), of.made ? of.made->volume_missed : 1);
   };
   return rank(candidate) < rank(other);
 }

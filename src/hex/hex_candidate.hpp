@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/hex_report.hpp"
@@ -17,6 +18,7 @@ struct MadeHexahedra {
   HexReport::Quality quality;
   bool fills = false;        ///< they close up to a surface near that of the model
   bool is_coarse = false;    ///< far fewer than would fill the model at the size asked for
+  bool is_faithful = true;   ///< nothing is known that they do not keep of the model
   double volume_missed = 0;  ///< |their volume / that of the model - 1|
   std::size_t left_out = 0;  ///< cells of the grid
 
@@ -24,12 +26,15 @@ struct MadeHexahedra {
 
   HexOutcome outcome() const {
     if (mesh.hexahedra.empty()) return HexOutcome::kNone;
-    return are_complete() ? HexOutcome::kAllHex : HexOutcome::kPartial;
+    if (!are_complete()) return HexOutcome::kPartial;
+    return is_faithful ? HexOutcome::kAllHex : HexOutcome::kApproximate;
   }
 };
 
+struct FeatureFit;
 class FollowedField;
 struct FollowingMap;
+struct LatticeHexahedra;
 
 /// Seconds of the steps of an attempt.
 struct HexSeconds {
@@ -46,7 +51,13 @@ struct HexCandidate {
   std::optional<MadeHexahedra> made = {};
   std::shared_ptr<const FollowedField> followed = {};
   std::shared_ptr<const FollowingMap> following = {};
+  std::shared_ptr<const FeatureFit> fit = {};            ///< that made `made`, without its mesh
+  std::shared_ptr<const LatticeHexahedra> lattice = {};  ///< that `made` is of, without its mesh
+  std::string text = {}, next = {};  ///< how it ended and what follows, of one of several in a row
   HexSeconds seconds = {};
+
+  /// Whether nothing else is tried after it: a lattice is made when maps have had their share of the work.
+  bool ends_search() const { return lattice && made && made->are_complete(); }
 
   /// Whether the hexahedra fill the model, and are not far fewer than asked for.
   bool is_filled() const { return made && made->are_complete() && !made->is_coarse; }
@@ -58,10 +69,11 @@ struct HexCandidate {
 bool is_better_in_round(const HexCandidate& candidate, const HexCandidate& other, double least_quality);
 
 /// Whether a candidate is worth more than another of an earlier round: first one that is good; then one that
-/// is complete; then one that closes up; then the one that misses less of the volume.
+/// keeps the model; then one that is complete, with shapes that may be computed on; then one that closes up;
+/// then the one that misses less of the volume.
 bool is_better(const HexCandidate& candidate, const HexCandidate& other, double least_quality);
 
-/// Whether nothing better is looked for.
+/// Whether hexahedra fill the model, keep its features as far as that is known, and have no worse shapes.
 bool is_good(const HexCandidate& candidate, double least_quality);
 
 }  // namespace crossgrain

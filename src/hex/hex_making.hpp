@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// Throws Error(kUsage) for options out of range.
+void check_options(const HexOptions& options);
+
 /// Returns the size of hexahedra that the options ask for in a model, and about how many will fill it.
 double asked_size(const TetDomain& domain, const HexOptions& options);
 double expected_hexahedra(const TetDomain& domain, double size);

@@ -213,6 +213,7 @@ void explain_shapes(double least_quality, HexReport& report) {
                                report.reason.empty() ? "" : ", and ", report.quality.least,
                                words_of_place(report.quality.worst_place));
   report.places.insert(report.places.begin(), report.quality.worst_place);
+  if (report.remedy == Remedy::kNone) report.remedy = Remedy::kTakeSmallerHexahedra;
 }
 
 void explain(const HexCandidate& best, HexReport& report) {
@@ -222,26 +223,29 @@ void explain(const HexCandidate& best, HexReport& report) {
   report.places = shown_places(why);
   report.reason = why.reason + words_of_places(report.places, best, !why.has_faces);
   report.detail = why.detail;
-  report.remedy = why.remedy;
+  report.remedy = why.remedy == Remedy::kNone ? Remedy::kTakeSmallerHexahedra : why.remedy;
 }
 
 EndWords end_of(const HexCandidate& candidate, double least_quality) {
+  if (!candidate.text.empty()) return {candidate.text, ""};
   HexReport report;
   report.outcome = candidate.attempt.outcome;
   if (candidate.made) report.quality = candidate.made->quality;
-  if (report.outcome != HexOutcome::kAllHex) {
+  const bool is_complete = candidate.made && candidate.made->are_complete();
+  if (!is_complete) {
     if (!candidate.followed) return {"no mesh", ""};
     const std::size_t of_part = candidate.made ? candidate.made->mesh.hexahedra.size() : 0;
     if (candidate.attempt.kind == kPartOfModel && of_part > 0)
       return {counted(of_part, "hexahedron fills", "hexahedra fill") + " a part of the model", ""};
     const Explanation why = explanation_of(candidate, report);
-    const std::string where = words_of_places(shown_places(why), candidate, !why.has_faces);
+    const std::string where = words_of_places(shown_places(why), candidate, /*with_faces=*/false);
     return {why.reason + where, where.empty() ? "" : why.reason};
   }
   const std::size_t hexahedra = candidate.made->mesh.hexahedra.size();
   const std::string what = fmt::format(
       "{} the model", hexahedra == 1 ? "1 hexahedron fills" : fmt::format("{} hexahedra fill", hexahedra));
   if (candidate.made->is_coarse) return {what + ", far fewer than asked for", ""};
+  if (!candidate.made->is_faithful) return {what + ", but do not keep all of it", ""};
   if (report.quality.least >= least_quality) return {what, ""};
   return {what + fmt::format(", the worst with a scaled Jacobian of {:.2g}", report.quality.least), ""};
 }

@@ -18,6 +18,9 @@ struct HexTuning {
   /// Attempts end once their work is more (AttemptQueue) and there is a mesh.
   double most_work = 600e6;
 
+  /// A lattice is made once the work of maps is more: 40 seconds on two cores.
+  double map_work = 100e6;
+
   /// Smaller sizes that are tried where the best map is without flips, but whole numbers of hexahedra fold
   /// it.
   int smaller_sizes = 3;

@@ -48,16 +48,15 @@ void tag_by_nearest_faces(const FeatureComplex& features, HexMesh& mesh) {
 
 /// Tags of a mesh that the fit has not embedded, or has in part, are those of the nearest faces.
 /// Returns the limit that kept ways from being tried.
-std::optional<Error> fit(const FittingModel& model, const Monitor& monitor, HexMesh& mesh,
+std::optional<Error> fit(const FittingModel& model, FitWays ways, const Monitor& monitor, HexMesh& mesh,
                          HexReport& report) {
   tag_by_nearest_faces(model.features, mesh);
   if (model.features.faces.size() > kMostListedFaces) return std::nullopt;
   const WatchedLoops watched(monitor, Stops::kHeeded);
-  FeatureFit fitted = fitted_to_features(mesh, model.features, report.used_size);
+  FeatureFit fitted = fitted_to_features(mesh, model.features, report.used_size, ways);
   if (fitted.is_stopped && fitted.tries.empty()) throw Error(ErrorKind::kInterrupted, "interrupted");
   mesh = std::move(fitted.best.mesh);
-  report.fit_tries = std::move(fitted.tries);
-  report.best_fit = fitted.best_try;
+  record(fitted, report);
   report.is_stopped = fitted.is_stopped;
   return std::move(fitted.limit);
 }
@@ -138,21 +137,22 @@ double median_edge(const HexMesh& mesh) {
   return *middle;
 }
 
-HexReport fit_to_model(const FittingModel& model, const Monitor& monitor, HexMesh& mesh,
-                       std::vector<Warning>& warnings) {
+HexReport fit_to_model(const FittingModel& model, double size, FitWays ways, const Monitor& monitor,
+                       HexMesh& mesh, std::vector<Warning>& warnings) {
   HexReport report;
-  report.size = report.used_size = median_edge(mesh);
+  report.size = report.used_size = size;
   report.expected = static_cast<double>(mesh.hexahedra.size());
   report.quality_before = quality_of(mesh);
   mesh.boundary.clear();
   for (const HexSide& side : boundary_of(mesh)) mesh.boundary.push_back({side.vertices, 0});
   Stopwatch stopwatch;
-  const std::optional<Error> limit = fit(model, monitor, mesh, report);
+  const std::optional<Error> limit = fit(model, ways, monitor, mesh, report);
   report.smoothing_seconds = stopwatch.restart();
   measure(mesh, model.solid, FitTo::kCommonSurface, report);
   judge_validity(mesh, report);
   if (report.outcome == HexOutcome::kAllHex) {
-    report.features = features_kept(mesh, model.features, report.used_size);
+    if (!report.features || !mesh.regions.empty())
+      report.features = features_kept(mesh, model.features, report.used_size);
     judge_features(mesh, report);
     explain_shapes(HexTuning().least_quality, report);
   }

@@ -15,6 +15,7 @@ class PartOfModel : public AttemptKind {
   bool is_last_resort() const override { return true; }
 
   std::optional<Turn> next(const AttemptQueue& queue) const override {
+    if (queue.is_exhausted() && queue.has_mesh()) return std::nullopt;
     const auto& best = queue.best_of_rounds();
     if (rounds_ == queue.rounds() || best.size() < queue.rounds() || !best.back() || best.back()->made)
       return std::nullopt;

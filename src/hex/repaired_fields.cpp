@@ -7,6 +7,7 @@
 #include "base/required_memory.hpp"
 #include "base/stopwatch.hpp"
 #include "hex/attempt_kinds.hpp"
+#include "hex/candidate_fitting.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/hex_memory.hpp"
 #include "solve/field_repairs.hpp"
@@ -42,7 +43,7 @@ class RepairedFields : public AttemptKind {
     return Turn{queue.rounds() - 1, Turn::Step::kRepair};
   }
 
-  std::string plan(const AttemptQueue&) const override { return "other singular lines on the same tets"; }
+  std::string plan(const AttemptQueue&) const override { return "other singular lines"; }
 
   /// Whether a later stage has tries is known once it is begun.
   bool prepare(AttemptQueue& queue) override {
@@ -76,6 +77,7 @@ class RepairedFields : public AttemptKind {
     if (filled != candidates.end()) {
       end();
       candidates.erase(filled + 1, candidates.end());
+      fit_if_complete(candidates.back());
     }
     return candidates;
   }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hex/attempt_kinds.hpp"
+#include "hex/candidate_fitting.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/hex_making.hpp"
 
@@ -53,6 +54,7 @@ class SmallerHexahedra : public AttemptKind {
     size_ *= kSmallerShare;
     const bool is_last = ++sizes_ == tuning_.smaller_sizes;
     HexCandidate candidate = mapped_candidate(*best_, size_, tuning_);
+    fit_if_complete(candidate);
     if (is_better_in_round(candidate, *best_, queue.least_quality())) best_ = candidate;
     if (is_last || !may_go_on(*best_, queue.least_quality())) {
       best_.reset();

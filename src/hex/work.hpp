@@ -16,4 +16,7 @@ inline constexpr double kFieldWork = 300;
 inline constexpr double kMapWork = 800;
 inline constexpr double kHexahedronWork = 1500;
 
+/// Of a hexahedron that is fitted to features.
+inline constexpr double kFittingWork = 2400;
+
 }  // namespace crossgrain

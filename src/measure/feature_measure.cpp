@@ -76,6 +76,7 @@ class FeatureMeasurer {
   void judge(const Resolution& resolution, bool is_kept, FeatureMeasure::Kept& kept, Lack lack) {
     if (!resolution.is_resolved) {
       lack.size_to_show = resolution.size_to_show;
+      ++result_.small[static_cast<std::size_t>(lack.kind)];
       if (!is_kept) result_.too_small.push_back(lack);
       return;
     }

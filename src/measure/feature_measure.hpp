@@ -2,6 +2,7 @@
 // What hexahedra keep of a model's features and shape.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -56,8 +57,9 @@ struct FeatureMeasure {
   Kept corners, curves, curve_length, faces;  ///< resolved ones; without soft curves and their corners
   std::size_t soft_curves = 0, soft_curves_kept = 0;
 
-  std::vector<Lack> lacking;    ///< by kind, then by index
-  std::vector<Lack> too_small;  ///< unresolved corners, curves and faces that are not kept
+  std::vector<Lack> lacking;           ///< by kind, then by index
+  std::vector<Lack> too_small;         ///< unresolved corners, curves and faces that are not kept
+  std::array<std::size_t, 3> small{};  ///< unresolved corners, curves and faces, kept or not
 
   SurfaceDistances distances;
   double volume_ratio = 1;  ///< that of the solid whose volume is farthest off; 1 of an open model

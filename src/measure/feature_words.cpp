@@ -37,14 +37,14 @@ std::string words_of_first(const Lack& lack, std::size_t count) {
   return fmt::format("{}, {}around {}", count == 1 ? "" : ", the first", name, words_of_place(lack.place));
 }
 
-std::string words_of_distance(const Lack& lack) {
+std::string words_of_distance(const Lack& lack, double size) {
   if (lack.kind == HexLackKind::kVolume)
     return fmt::format("its volume is {:.2g} % {} the model's", 100 * std::abs(lack.figure - 1),
                        lack.figure < 1 ? "below" : "above");
-  return fmt::format("{} up to {:.2g} of a hexahedron {} around {}",
-                     lack.kind == HexLackKind::kOffModel ? "it is" : "the surface is", lack.figure,
+  return fmt::format("{} up to {:.2g} {} around {}, {:.2g} of the size of hexahedra",
+                     lack.kind == HexLackKind::kOffModel ? "it is" : "the surface is", size * lack.figure,
                      lack.kind == HexLackKind::kOffModel ? "off the surface" : "from it",
-                     words_of_place(lack.place));
+                     words_of_place(lack.place), lack.figure);
 }
 
 /// "2 closed surfaces", or "1 tunnel" where all of these are alike.
@@ -80,7 +80,7 @@ std::string topology_of(const HexFeatures& features) {
   return fmt::format("it has {}, the model {}", of_mesh, of_model);
 }
 
-std::string lacks_of(const HexFeatures& features) {
+std::string lacks_of(const HexFeatures& features, double size) {
   std::vector<std::string> parts;
   for (const HexLackKind kind : {HexLackKind::kCorner, HexLackKind::kCrease, HexLackKind::kFace}) {
     const auto is_of = [kind](const Lack& lack) { return lack.kind == kind; };
@@ -92,7 +92,7 @@ std::string lacks_of(const HexFeatures& features) {
     parts.push_back(words_of_features(kind, count) + (count == 1 ? ": " : "") + place);
   }
   for (const Lack& lack : features.lacking)
-    if (lack.kind > HexLackKind::kFace) parts.push_back(words_of_distance(lack));
+    if (lack.kind > HexLackKind::kFace) parts.push_back(words_of_distance(lack, size));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
@@ -102,9 +102,15 @@ std::string kept_of(const HexFeatures& features) {
   if (features.creases.all > 0) parts.push_back(words_of_kept(features.creases, "crease", "creases"));
   if (features.faces.all > 0) parts.push_back(words_of_kept(features.faces, "face", "faces"));
   std::string text = parts.empty() ? "" : fmt::format("{} kept", fmt::join(parts, ", "));
-  if (!features.too_small.empty())
-    text += fmt::format("{}{} smaller than the hexahedra", text.empty() ? "" : "; ",
-                        counted(features.too_small.size(), "feature"));
+  if (const std::size_t small = features.small; small > 0) {
+    const std::size_t lost = features.too_small.size();
+    text += fmt::format("{}{}{} smaller than the hexahedra, {}", text.empty() ? "" : "; ",
+                        parts.empty() ? counted(small, "feature") : std::to_string(small),
+                        parts.empty() ? ""
+                        : small == 1  ? " other"
+                                      : " others",
+                        lost == 0 ? "kept too" : fmt::format("{} of which are not kept", lost));
+  }
   return text;
 }
 

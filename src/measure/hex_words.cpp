@@ -29,8 +29,14 @@ constexpr double kPoorShape = 0.2;
 /// parts.
 constexpr double kAsExpected = 2;
 
+/// Whether the mesh is of a lattice.
+bool is_of_lattice(const HexReport& report) {
+  return report.best_attempt < report.attempts.size() && report.attempts[report.best_attempt].is_of_lattice();
+}
+
 /// Why smaller hexahedra than asked for were taken.
 const char* fault_of_larger(const HexReport& report, double expected) {
+  if (is_of_lattice(report)) return "larger ones of a lattice do not keep the model";
   const char* fault = "larger ones would be turned inside out";
   for (const HexAttempt& attempt : report.attempts) {
     if (attempt.outcome != HexOutcome::kAllHex || attempt.size <= report.used_size) continue;
@@ -81,16 +87,14 @@ std::string remedy_of(const HexReport& report, const std::string& remedy_words) 
   const bool is_wanting = report.outcome != HexOutcome::kAllHex || !report.reason.empty();
   if (!is_wanting || !remedy_words.empty() || report.attempts.empty())
     return with_count(report, remedy_words);
-  const bool has_made_tets =
-      std::ranges::any_of(report.attempts, [](const HexAttempt& attempt) { return attempt.tet_size > 0; });
-  if (!has_made_tets) return "tets of another size may help";
-  return std::string("no option is known to help; change the model") +
-         (report.places.empty() ? "" : " there");
+  return "smaller hexahedra may help";
 }
 
 /// Says so of shapes that are too poor to compute on, where none is inverted.
 std::string words_of_shapes(const HexReport& report) {
-  if (report.hexahedra == 0 || report.quality.inverted > 0 || report.quality.least >= kBadShape) return "";
+  const bool is_said = report.reason.find("badly shaped") != std::string::npos;
+  if (report.hexahedra == 0 || report.quality.inverted > 0 || report.quality.least >= kBadShape || is_said)
+    return "";
   return fmt::format("badly shaped: worst scaled Jacobian {:.2g}", report.quality.least);
 }
 
@@ -118,8 +122,13 @@ std::string shapes_of(const HexReport::Quality& quality) {
 std::string distances_of(const HexReport& report) {
   constexpr double kOnSurface = 1e-9;  // in sizes of hexahedra
   const auto rounded = [&](double x) { return x < kOnSurface * report.used_size ? 0 : x; };
-  const double of_mesh = rounded(report.largest_distance),
-               of_model = rounded(report.largest_distance_of_model);
+  // Those at vertices, and within quads.
+  const auto largest = [&](double at_vertices, const HexFeatures::Distances* in_all) {
+    return rounded(std::max(at_vertices, in_all ? in_all->largest_in_all * report.used_size : 0));
+  };
+  const HexFeatures* const features = report.features ? &*report.features : nullptr;
+  const double of_mesh = largest(report.largest_distance, features ? &features->of_mesh : nullptr);
+  const double of_model = largest(report.largest_distance_of_model, features ? &features->of_model : nullptr);
   if (of_mesh == 0 && of_model == 0) return "nowhere off the surface";
   std::array words{
       of_mesh == 0 ? "mesh on the surface" : fmt::format("mesh up to {:.3g} off the surface", of_mesh),
@@ -154,11 +163,14 @@ std::string way_of(const HexReport& report) {
   for (const HexAttempt& attempt : report.attempts) {
     last = std::max(last, attempt.number);
     if (attempt.tet_size > 0 && attempt.round == best.round && attempt.tets > 0)
-      size = fmt::format(" of {:.3g}", attempt.tet_size);
+      size = fmt::format(" of at most {:.3g}", attempt.tet_size);
   }
-  return fmt::format("attempt {} of {}: field on {}{}, repaired{}{}", best.number, last,
-                     counted(best.tets, "tet"), size, best.kind == "repair" ? "" : ", " + best.kind,
-                     way_of_fit(report));
+  const std::string begin = fmt::format("attempt {} of {}: ", best.number, last);
+  if (best.is_of_lattice())
+    return begin + "lattice" + way_of_fit(report) +
+           (report.map_fault.empty() ? "" : "; no map, since " + report.map_fault);
+  return fmt::format("{}field on {}{}, repaired{}{}", begin, counted(best.tets, "tet"), size,
+                     best.kind == "repair" ? "" : ", " + best.kind, way_of_fit(report));
 }
 
 std::string sentence_of(const HexReport& report) {
@@ -167,6 +179,7 @@ std::string sentence_of(const HexReport& report) {
 
 std::string sentence_of(const HexReport& report, const std::string& remedy_words) {
   std::string text = name_of(report.outcome);
+  if (is_of_lattice(report)) text += " by a lattice";
   if (report.is_stopped) text += ", the search was stopped";
   std::string sizes;
   if (report.hexahedra > 0) sizes = sizes_of(report);

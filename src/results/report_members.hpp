@@ -162,7 +162,7 @@ CROSSGRAIN_DESCRIBE(HexFeatures::Kept, all, kept)
 CROSSGRAIN_DESCRIBE(HexFeatures::Distances, percentile_99, largest, place, largest_in_all)
 CROSSGRAIN_DESCRIBE(HexFitTry, way, hexahedra, added, unplaced, lacking, least, inverted, seconds)
 CROSSGRAIN_DESCRIBE(HexFeatures, corners, creases, crease_length, faces, of_mesh, of_model, volume_ratio,
-                    shells, model_shells, lacking, too_small)
+                    shells, model_shells, lacking, too_small, small)
 
 template <class File, MaybeConst<HexReport> Report>
 void describe(File& file, Report& hexahedra) {
@@ -170,6 +170,7 @@ void describe(File& file, Report& hexahedra) {
   file.note("sentence", sentence_of(hexahedra).c_str());
   file.text("reason", hexahedra.reason);
   file.text("detail", hexahedra.detail);
+  file.text("map_fault", hexahedra.map_fault);
   file.optional_name("remedy", hexahedra.remedy);
   if (has_number(hexahedra.remedy)) file.member("remedy_number", hexahedra.remedy_number);
   if (hexahedra.remedy == Remedy::kUseHexSize) file.member("remedy_hexahedra", hexahedra.remedy_hexahedra);

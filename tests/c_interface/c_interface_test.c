@@ -907,6 +907,26 @@ TEST(HexahedraOfAnotherMesherArePutOntoAModel) {
   crossgrain_options_free(options);
 }
 
+TEST(HexahedraOfALatticeFillAModelWithoutAField) {
+  write_cube("cube.obj");
+  crossgrain_options* options = NULL;
+  OK(crossgrain_options_new(CROSSGRAIN_HEX_MESHING_OPTIONS, &options, &g_error));
+  OK(crossgrain_options_set_number(options, "hexahedra.cells", 4, &g_error));
+  crossgrain_hexahedra *made = NULL, *inside = NULL;
+  OK(crossgrain_hexahedra_lattice("cube.obj", options, NULL, &made, &g_error));
+  CHECK(crossgrain_hexahedra_outcome(made) == CROSSGRAIN_ALL_HEX && crossgrain_hexahedra_count(made) == 64);
+  crossgrain_mesh* mesh = NULL;
+  OK(crossgrain_mesh_read("cube.obj", NULL, NULL, &mesh, &g_error));
+  OK(crossgrain_hexahedra_lattice_inside(mesh, options, NULL, &inside, &g_error));
+  CHECK(crossgrain_hexahedra_count(inside) == 64);
+  crossgrain_tet_field* field = NULL;
+  FAILS(CROSSGRAIN_USAGE, "follow no field", crossgrain_hexahedra_field(made, &field, &g_error));
+  crossgrain_mesh_free(mesh);
+  crossgrain_hexahedra_free(inside);
+  crossgrain_hexahedra_free(made);
+  crossgrain_options_free(options);
+}
+
 int main(int argc, char** argv) {
   const struct {
     const char* name;
@@ -940,6 +960,7 @@ int main(int argc, char** argv) {
       NAMED(HexahedraAreWrittenAloneAndWithTheirField),
       NAMED(HexahedraFollowAFieldThatIsThere),
       NAMED(HexahedraOfAnotherMesherArePutOntoAModel),
+      NAMED(HexahedraOfALatticeFillAModelWithoutAField),
   };
   for (size_t i = 0; i < sizeof tests / sizeof tests[0]; ++i) {
     if (argc > 1 && strcmp(argv[1], tests[i].name) != 0) continue;

@@ -130,7 +130,7 @@ class HexTest(CommandTest):
         self.assertEqual(tets["tets"], self.report["onto"]["tets"])
         self.assertEqual(repair["outcome"], "all-hex")
         self.assertEqual(self.report["seconds"]["read"], tets["tet_seconds"])
-        self.assertIn(f"way        attempt 1 of 1: field on {self.report['onto']['tets']} tets of 0.3, repaired\n", self.result.stdout)
+        self.assertIn(f"way        attempt 1 of 1: field on {self.report['onto']['tets']} tets of at most 0.3, repaired\n", self.result.stdout)
         self.assertRegex(self.result.stdout, r"expected .* tets of 0\.3 \(--tet-size\)\n")
         self.assert_succeeds(self.run_here("check", "out"))
 
@@ -140,7 +140,7 @@ class HexTest(CommandTest):
         self.assertEqual((made["features"]["creases"], made["features"]["corners"]), ({"all": 12, "kept": 12}, {"all": 6, "kept": 6}))
         self.assertGreater(made["scaled_jacobian"]["min"], 0)
         self.assertIn("expected   about ", self.result.stdout)
-        self.assertLessEqual(made["largest_distance"], 0.05 * made["used_size"])
+        self.assertLessEqual(made["largest_distance"], 0.1 * made["used_size"])
 
     def write_fan(self):
         """Five tets around an axis, which have no map."""
@@ -150,7 +150,7 @@ class HexTest(CommandTest):
 
     def test_five_tets_around_an_axis_have_no_map_which_all_output_says(self):
         self.write_fan()
-        made = self.hexahedra("fan.mesh", "--cells", "3", code=NOT_ALL_HEX)
+        made = self.hexahedra("fan.mesh", "--cells", "3", "--map-only", code=NOT_ALL_HEX)
         self.assertEqual((made["outcome"], made["hexahedra"]), ("none", 0))
         self.assertIn("inverted", made["detail"])
         self.assertTrue(all(np.isfinite(place).all() for place in made["places"]))
@@ -183,7 +183,7 @@ class HexTest(CommandTest):
 
     def test_a_volume_far_off_is_told_first_with_a_size_that_helps(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
-        made = self.hexahedra("cylinder.stl", "--size", "0.5", "--tet-size", "0.5", code=APPROXIMATE)
+        made = self.hexahedra("cylinder.stl", "--size", "0.5", "--tet-size", "0.5", "--map-only", code=APPROXIMATE)
         self.assertEqual(made["outcome"], "approximate")
         off = 100 * (1 - made["volume"] / made["model_volume"])
         row = next(line for line in self.result.stdout.splitlines() if line.startswith("hexahedra"))
@@ -200,7 +200,7 @@ class HexTest(CommandTest):
 
     def test_without_a_mesh_that_fills_the_model_one_line_says_why_even_if_quiet(self):
         self.write_fan()
-        made = self.hexahedra("fan.mesh", "--cells", "3", "--quiet", code=NOT_ALL_HEX)
+        made = self.hexahedra("fan.mesh", "--cells", "3", "--map-only", "--quiet", code=NOT_ALL_HEX)
         self.assertEqual(self.result.stdout, "")
         lines = [line for line in self.result.stderr.splitlines() if "warning: " not in line]
         self.assertEqual(len(lines), 1, lines)
@@ -251,7 +251,7 @@ class HexTest(CommandTest):
 
     def test_ctrl_c_writes_the_best_mesh_so_far(self):
         self.write("star.stl", stl_bytes(star_triangles()))
-        code, errors = self.stopped("star.stl", "--cells", "10", "--tet-size", "0.2", number=signal.SIGTERM,
+        code, errors = self.stopped("star.stl", "--cells", "30", "--tet-size", "0.2", number=signal.SIGTERM,
                                     after=lambda event: event.get("best", {}).get("hexahedra", 0) > 0)
         self.assertEqual(code, INTERRUPTED, errors)
         self.assertIn("crossgrain: interrupted: writing the best mesh so far, ", errors)
@@ -311,7 +311,7 @@ class HexTest(CommandTest):
 
     def test_the_map_is_written_for_programs_that_extract_hexahedra(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
-        self.hexahedra("cylinder.stl", "--cells", "5", "--tet-size", "0.3", "--write", "hexex,mesh", code=APPROXIMATE)
+        self.hexahedra("cylinder.stl", "--cells", "5", "--tet-size", "0.3", "--write", "hexex,mesh", "--map-only", code=APPROXIMATE)
         points, tets, grid = self.read_hexex("hexahedra.hexex")
         # Its cells are the hexahedra, one by one: as many, and a point of the grid in the tets for each vertex.
         self.assertAlmostEqual(np.linalg.det(grid[:, 1:] - grid[:, :1]).sum() / 6, len(self.corners), places=9)

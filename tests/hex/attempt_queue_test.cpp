@@ -291,7 +291,7 @@ TEST(AttemptQueue, TellsWhatIsTriedAtTheSameTime) {
   queue.hear_ends([&](const HexAttemptEnd& end) { ends.push_back(end); });
   queue.run();
   ASSERT_EQ(ends.size(), 2u);
-  EXPECT_EQ(ends[0].next, "a 1 (attempt 2, which ran beside this one)");
+  EXPECT_EQ(ends[0].next, "a 1 (attempt 2, beside this one)");
 }
 
 /// How the last attempt of a search ends that has a mesh which misses half of the volume.

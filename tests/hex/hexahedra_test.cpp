@@ -71,7 +71,9 @@ TEST(Hexahedra, CountAlongTheLongestSide) {
 
 TEST(Hexahedra, OfACylinderHaveGoodShapesAndKeepToItsSurface) {
   for (const double size : {0.5, 0.2}) {
-    const HexReport report = hexahedra(cylinder_field(), of_size(size)).report();
+    HexOptions options = of_size(size);
+    options.preference = HexPreference::kMap;
+    const HexReport report = hexahedra(cylinder_field(), options).report();
     // Twelve edges around the cylinder would keep its volume; eight do not.
     EXPECT_EQ(report.outcome, size < 0.3 ? HexOutcome::kAllHex : HexOutcome::kApproximate);
     EXPECT_GT(report.quality.least, 0.6);
@@ -83,6 +85,27 @@ TEST(Hexahedra, OfACylinderHaveGoodShapesAndKeepToItsSurface) {
     EXPECT_GT(report.inner_valences[3], 0u);
     EXPECT_EQ(report.inner_valences[3] % 4, 0u);
   }
+}
+
+TEST(Hexahedra, AreThoseOfALatticeWhereAMapDoesNotKeepTheModel) {
+  const Hexahedra made = hexahedra(cylinder_field(), of_size(0.5));
+  const HexReport& report = made.report();
+  EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
+  EXPECT_TRUE(report.attempts[report.best_attempt].is_of_lattice());
+  EXPECT_GT(report.quality.least, 0.4);
+  EXPECT_NE(report.map_fault, "");
+  EXPECT_TRUE(made.map.tets.empty());
+  EXPECT_EQ(made.mesh.hexahedra.size(), report.hexahedra);
+}
+
+TEST(Hexahedra, AreALatticeAtOnceWhereThatIsPreferred) {
+  HexOptions options = of_size(0.5);
+  options.preference = HexPreference::kLattice;
+  const HexReport report = hexahedra(box_field(), options).report();
+  EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
+  EXPECT_EQ(report.hexahedra, 8u * 6 * 6);
+  ASSERT_EQ(report.attempts.size(), 1u);
+  EXPECT_TRUE(report.attempts[0].is_of_lattice());
 }
 
 TEST(Hexahedra, AreTheSameForAnyNumberOfThreads) {

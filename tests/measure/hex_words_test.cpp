@@ -45,20 +45,32 @@ TEST(SentenceOfHexahedra, TellsThatLargerOnesFilledTheModelBadlyShaped) {
             "all-hex: 3000 of 1.4, not about 1000 of 2: larger ones would be far fewer than expected");
 }
 
-TEST(SentenceOfHexahedra, TellsThatNoOptionIsKnownToHelp) {
+TEST(SentenceOfHexahedra, TellsThatSmallerHexahedraMayHelpWhereNothingElseIsKnown) {
   HexReport report = whole();
   report.outcome = HexOutcome::kPartial;
   report.reason = "layers of hexahedra are folded at 1 2 3, near face 4";
   report.places = {{1, 2, 3}};
   report.attempts.resize(1);
   const std::string begin = "partial: 1000 hexahedra of 2; " + report.reason + "; ";
-  EXPECT_EQ(sentence_of(report), begin + "tets of another size may help") << "tets that were given";
-  report.attempts[0].tet_size = 3;
-  EXPECT_EQ(sentence_of(report), begin + "no option is known to help; change the model there");
+  EXPECT_EQ(sentence_of(report), begin + "smaller hexahedra may help");
   EXPECT_EQ(sentence_of(report, "try --tet-size 2"), begin + "try --tet-size 2");
   report = whole();
   report.attempts.resize(1);
   EXPECT_EQ(sentence_of(report), "all-hex: 1000 of 2") << "nothing is missing";
+}
+
+TEST(SentenceOfHexahedra, TellsOfALatticeThatItIsOneAndWhyThereIsNoMap) {
+  HexReport report = whole();
+  report.used_size = 1.4;
+  report.hexahedra = 3000;
+  report.attempts.resize(1);
+  report.attempts[0].kind = "lattice";
+  report.attempts[0].number = 1;
+  report.map_fault = "layers of hexahedra are folded at 1 2 3";
+  EXPECT_EQ(sentence_of(report),
+            "all-hex by a lattice: 3000 of 1.4, not about 1000 of 2: larger ones of a lattice do not keep "
+            "the model");
+  EXPECT_EQ(way_of(report), "attempt 1 of 1: lattice; no map, since layers of hexahedra are folded at 1 2 3");
 }
 
 TEST(SentenceOfHexahedra, TellsOtherNumbersThanExpectedAndWhy) {
@@ -76,6 +88,8 @@ TEST(SentenceOfHexahedra, TellsPoorShapesOfAPartWithTwoDigits) {
   report.outcome = HexOutcome::kPartial;
   report.quality.least = 0.0041234;
   EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra of 2; badly shaped: worst scaled Jacobian 0.0041");
+  report.reason = "badly shaped (worst scaled Jacobian 0.0041 at 1 2 3)";
+  EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra of 2; " + report.reason) << "said once";
 }
 
 TEST(SentenceOfHexahedra, TellsWhatAPartLacksAndWhere) {
@@ -130,9 +144,9 @@ TEST(WayOfHexahedra, TellsTheAttemptThatMadeThemOfAllThatWereMade) {
     report.attempts[k].tets = k < 3 ? 500 : 0;  // the last failed
   }
   report.best_attempt = 1;
-  EXPECT_EQ(way_of(report), "attempt 1 of 3: field on 500 tets of 3, repaired");
+  EXPECT_EQ(way_of(report), "attempt 1 of 3: field on 500 tets of at most 3, repaired");
   report.best_attempt = 2;
-  EXPECT_EQ(way_of(report), "attempt 2 of 3: field on 500 tets of 3, repaired, part of the model");
+  EXPECT_EQ(way_of(report), "attempt 2 of 3: field on 500 tets of at most 3, repaired, part of the model");
   report.best_attempt = report.attempts.size();
   EXPECT_EQ(way_of(report), "");
 }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "crossgrain/hex_fit.hpp"
+#include "crossgrain/hex_meshing.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+/// \addtogroup hexahedra Hexahedra
+/// @{
+
+/// Returns hexahedra that fill a model without tets, a field or a map: the cells of a lattice that have half
+/// of their volume inside, on planes turned to the directions of most of the surface and moved onto its large
+/// faces; put onto the corners, creases and faces of the model as `fit_hexahedra` does. Smaller lattices
+/// follow until all is kept (HexReport::attempts).
+///
+/// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`; its solids
+/// are one. Of the options those about tets and the field do not matter. The same to the bit for any number
+/// of threads. Errors as of `fit_hexahedra`, and kUsage for sizes that do not suit the model.
+FittedHexahedra lattice_hexahedra(const std::filesystem::path& model, const HexMeshingOptions& options = {},
+                                  const Monitor& monitor = {});
+
+/// The same in a closed surface.
+FittedHexahedra lattice_hexahedra(const TriangleMesh& surface, const HexMeshingOptions& options = {},
+                                  const Monitor& monitor = {});
+
+/// @}
+
+}  // namespace crossgrain

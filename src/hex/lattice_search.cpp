@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/lattice_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "base/elementary.hpp"
+#include "base/parallel.hpp"
+#include "base/required_memory.hpp"
+#include "base/stopwatch.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/message.hpp"
+#include "fit/feature_fit.hpp"
+#include "hex/attempt_kinds.hpp"
+#include "hex/hex_report.hpp"
+#include "lattice/lattice.hpp"
+#include "surface/shells.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// The surface that a lattice is cut to: that of the features, on which all solids are one.
+Surface surface_of(const FeatureComplex& features) {
+  TriangleMesh mesh;
+  mesh.vertices = features.vertices;
+  mesh.triangles = features.triangles;
+  return prepare_surface(CheckedMesh::derived(std::move(mesh)));
+}
+
+/// Faces that go all around something: of which this share of the area looks to one side at most.
+constexpr double kMostOneSided = 0.05;
+
+/// The points of holes and bosses: of faces, with those across soft curves, that look to all sides alike.
+std::vector<std::vector<Vector3>> narrow_features(const FeatureComplex& features) {
+  std::vector<std::uint32_t> group(features.faces.size());
+  std::iota(group.begin(), group.end(), 0);
+  const auto root = [&](std::uint32_t face) {
+    while (group[face] != face) face = group[face] = group[group[face]];
+    return face;
+  };
+  for (const FeatureComplex::Curve& curve : features.curves)
+    if (curve.is_soft)
+      for (const FeatureComplex::Side& side : curve.sides)
+        group[root(side.face)] = root(curve.sides.front().face);
+  struct Around {
+    Vector3 towards{0, 0, 0};
+    double area = 0;
+    std::vector<Vector3> points;
+  };
+  std::vector<Around> all(group.size());
+  for (std::size_t t = 0; t < features.triangles.size(); ++t) {
+    Around& of_face = all[root(features.face_of[t])];
+    const auto corners = features.points_of(t);
+    const Vector3 twice = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    of_face.towards += 0.5 * twice;
+    of_face.area += 0.5 * norm(twice);
+    of_face.points.insert(of_face.points.end(), corners.begin(), corners.end());
+  }
+  std::vector<std::vector<Vector3>> narrow;
+  for (Around& of_face : all)
+    if (of_face.area > 0 && norm(of_face.towards) <= kMostOneSided * of_face.area)
+      narrow.push_back(std::move(of_face.points));
+  return narrow;
+}
+
+/// What makes one result worth less than another.
+auto flaws_of(const HexReport& report) {
+  const std::size_t lacking = report.features ? report.features->lacking.size() : SIZE_MAX;
+  const double least = report.quality.least;
+  return std::tuple(report.outcome, least < kPoorestShape, lacking, least < 0.1, least < kGoodShape,
+                    report.hexahedra);
+}
+
+bool is_good(const HexReport& report) {
+  return report.outcome == HexOutcome::kAllHex && report.quality.least >= kGoodShape;
+}
+
+class Search {
+ public:
+  Search(const FittingModel& model, double size, const Monitor& monitor,
+         const std::function<void(const HexAttemptEnd&)>& on_end)
+      : model_(model),
+        surface_(surface_of(model.features)),
+        shells_(euler_numbers_of_shells(model.features.triangles)),
+        narrow_{narrow_features(model.features)},
+        monitor_(monitor),
+        on_end_(on_end),
+        asked_size_(size),
+        expected_(enclosed_volume(surface_) / raised(size, 3)) {}
+
+  LatticeHexahedra run() {
+    // Lattices of another topology are gone on with only where there is no other.
+    std::optional<Lattice> other;
+    double other_size = 0;
+    try {
+      for (double size = asked_size_; may_take(size) && !is_done(); size *= kSmallerLattice) {
+        Stopwatch stopwatch;
+        Lattice lattice = lattice_at(size);
+        if (static_cast<double>(lattice.mesh.hexahedra.size()) > kMostOfLattice * expected_ && best_) break;
+        if (lattice.shells == shells_) {
+          take(std::move(lattice), size, stopwatch);
+        } else {
+          skip(lattice, size, stopwatch);
+          other_size = size;
+          if (!lattice.mesh.hexahedra.empty()) other = std::move(lattice);
+        }
+      }
+    } catch (const Error& error) {
+      const bool is_stop = error.kind() == ErrorKind::kInterrupted && monitor_.may_be_stopped() &&
+                           monitor_.stopped() && !monitor_.cancelled();
+      if (!best_ || !(is_stop || error.kind() == ErrorKind::kLimit)) throw;
+      if (is_stop)
+        stop();
+      else
+        best_->warnings.push_back(ended_at(error));
+    }
+    Stopwatch stopwatch;
+    if (!best_ && other) take(*std::move(other), other_size, stopwatch);
+    if (!best_)
+      throw Error(ErrorKind::kInput, "no cell of a lattice is inside the model",
+                  Remedy::kTakeSmallerHexahedra);
+    best_->report.attempts = std::move(attempts_);
+    best_->report.best_attempt = best_attempt_;
+    return *std::move(best_);
+  }
+
+ private:
+  void stop() {
+    best_->report.is_stopped = true;
+    if (!is_good(best_->report)) best_->report.remedy = Remedy::kLetFinish;
+  }
+
+  /// Whether lattices of a size may be small enough.
+  bool may_take(double size) const {
+    return raised(asked_size_ / size, 3) <= kMostOfLattice || attempts_.empty();
+  }
+
+  bool is_done() const { return best_ && (is_good(best_->report) || best_->report.is_stopped); }
+
+  /// With planes at narrow features only where it has another topology without them.
+  Lattice lattice_at(double size) {
+    const WatchedLoops watched(monitor_, Stops::kHeeded);
+    Lattice lattice = lattice_of(surface_, size);
+    for (const bool have_rings : {false, true}) {
+      if (lattice.shells == shells_ || narrow_.points.empty()) break;
+      narrow_.have_rings = have_rings;
+      Lattice other = lattice_of(surface_, size, narrow_);
+      if (other.shells == shells_) lattice = std::move(other);
+    }
+    return lattice;
+  }
+
+  HexAttempt& begin(const Lattice& lattice, double size) {
+    HexAttempt& attempt = attempts_.emplace_back();
+    attempt.kind = kLatticeKind;
+    attempt.number = attempts_.size();
+    attempt.size = size;
+    attempt.hexahedra = lattice.mesh.hexahedra.size();
+    return attempt;
+  }
+
+  void end(const HexAttempt& attempt, std::string text) const {
+    if (!on_end_) return;
+    HexAttemptEnd end;
+    end.attempt = attempt.number;
+    end.outcome = attempt.outcome;
+    end.hexahedra = attempt.hexahedra;
+    end.text = std::move(text);
+    end.seconds = attempt.seconds;
+    if (!is_done() && may_take(kSmallerLattice * attempt.size))
+      end.next = fmt::format("a lattice of {:.3g}", kSmallerLattice * attempt.size);
+    on_end_(end);
+  }
+
+  void skip(const Lattice& lattice, double size, Stopwatch& stopwatch) {
+    HexAttempt& attempt = begin(lattice, size);
+    attempt.seconds = stopwatch.restart();
+    end(attempt, attempt.hexahedra == 0
+                     ? "no cell of the lattice is inside the model"
+                     : fmt::format("a lattice of {} has other bodies or holes than the model",
+                                   counted(attempt.hexahedra, "cell")));
+  }
+
+  /// The text of a mesh: its first fault.
+  static std::string text_of(const HexReport& report) {
+    const std::string all = counted(report.hexahedra, "hexahedron", "hexahedra");
+    if (report.outcome == HexOutcome::kPartial) return all + ": " + report.reason;
+    const std::string fills = all + (report.hexahedra == 1 ? " fills the model" : " fill the model");
+    return report.reason.empty() ? fills
+                                 : fills + ", but: " + report.reason.substr(0, report.reason.find(';'));
+  }
+
+  /// Throws Error(kLimit) unless there is memory to fit a lattice, which is of no use otherwise: layers add
+  /// about 1.5 hexahedra for a quad of its surface.
+  void require_memory_to_fit(const HexMesh& mesh) const {
+    constexpr double kAddedForQuad = 1.5;
+    const WatchedLoops watched(monitor_, Stops::kHeeded);
+    const double count = static_cast<double>(mesh.hexahedra.size()) +
+                         kAddedForQuad * static_cast<double>(mesh.boundary.size());
+    require_memory(kBytesOfFittedHexahedron * count,
+                   fmt::format("fitting a lattice of {}", counted(mesh.hexahedra.size(), "cell")),
+                   Remedy::kTakeFewerHexahedra);
+  }
+
+  void take(Lattice lattice, double size, Stopwatch& stopwatch) {
+    require_memory_to_fit(lattice.mesh);
+    HexAttempt attempt = begin(lattice, size);
+    LatticeHexahedra made;
+    made.mesh = std::move(lattice.mesh);
+    made.mesh.unit = model_.solid.mesh.unit;
+    made.report = fit_to_model(model_, size, FitWays::kLayersOnly, monitor_, made.mesh, made.warnings);
+    if (made.report.outcome != HexOutcome::kAllHex && made.report.remedy == Remedy::kNone)
+      made.report.remedy = Remedy::kTakeSmallerHexahedra;
+    made.report.size = asked_size_;
+    made.report.expected = expected_;
+    attempt.outcome = made.report.outcome;
+    attempt.hexahedra = made.report.hexahedra;
+    attempt.seconds = stopwatch.restart();
+    attempts_.back() = attempt;
+    std::string text = text_of(made.report);
+    if (!best_ || flaws_of(made.report) < flaws_of(best_->report)) {
+      best_ = std::move(made);
+      best_attempt_ = attempts_.size() - 1;
+    }
+    end(attempt, std::move(text));
+  }
+
+  const FittingModel& model_;
+  const Surface surface_;
+  const std::vector<int> shells_;
+  NarrowFeatures narrow_;
+  const Monitor& monitor_;
+  const std::function<void(const HexAttemptEnd&)>& on_end_;
+  const double asked_size_, expected_;
+  std::vector<HexAttempt> attempts_;
+  std::optional<LatticeHexahedra> best_;
+  std::size_t best_attempt_ = 0;
+};
+
+}  // namespace
+
+LatticeHexahedra lattice_hexahedra(const FittingModel& model, double size, const Monitor& monitor,
+                                   const std::function<void(const HexAttemptEnd&)>& on_end) {
+  return Search(model, size, monitor, on_end).run();
+}
+
+}  // namespace crossgrain

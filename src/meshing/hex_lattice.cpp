@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/hex_lattice.hpp"
+
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "base/system_memory.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/read_limits.hpp"
+#include "crossgrain/thread_limit.hpp"
+#include "hex/hex_making.hpp"
+#include "hex/lattice_search.hpp"
+#include "hex/model_fit.hpp"
+#include "meshing/asked_hexahedra.hpp"
+#include "meshing/read_model.hpp"
+#include "surface/searchable_surface.hpp"
+
+namespace crossgrain {
+namespace {
+
+HexFitOptions reading_of(const HexMeshingOptions& options) {
+  HexFitOptions reading;
+  reading.crease_angle_deg = options.tets.crease_angle_deg;
+  reading.tags = options.tags;
+  reading.read_seconds = options.tets.read_seconds;
+  reading.glue = options.tets.glue;
+  reading.unit = options.tets.unit;
+  reading.max_memory_bytes = options.solve.max_memory_bytes;
+  return reading;
+}
+
+/// Throws Error(kUsage) for sizes out of range or that do not suit the model.
+void check(const HexMeshingOptions& options, const FittingModel& model) {
+  HexMeshingOptions of_size;
+  of_size.hexahedra = options.hexahedra;
+  of_size.on_warning = options.on_warning;
+  TriangleMesh surface;
+  surface.vertices = model.features.vertices;
+  surface.triangles = model.features.triangles;
+  surface.unit = model.solid.mesh.unit;
+  AskedHexahedra(of_size).check(SearchableSurface(prepare_surface(CheckedMesh::derived(std::move(surface)))));
+}
+
+template <class Read>
+FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& options, const Monitor& monitor) {
+  const ThreadLimit threads(options.hexahedra.threads > 0 ? options.hexahedra.threads
+                                                          : options.solve.threads);
+  const ReadLimits limits(monitor, options.solve.max_memory_bytes);
+  const WatchedLoops watched(monitor, Stops::kIgnored, options.solve.max_memory_bytes);
+  check_options(options.hexahedra);
+  Stopwatch stopwatch;
+  monitor.report({Phase::kRead, 0, 0, 0, 0});
+  ReadModel model = read();
+  if (options.on_warning)
+    for (const Warning& warning : model.warnings) options.on_warning(warning);
+  check(options, model.model);
+  FittedHexahedra made;
+  SolveReport& report = made.report;
+  report.seconds.read = stopwatch.restart();
+  const double size = options.hexahedra.size > 0
+                          ? options.hexahedra.size
+                          : longest_side(model.description.bounding_box) / options.hexahedra.cells;
+  LatticeHexahedra found = lattice_hexahedra(model.model, size, monitor, options.on_attempt_end);
+  report.model = std::move(model.description);
+  report.faces = std::move(model.faces);
+  report.warnings = std::move(model.warnings);
+  report.warnings.insert(report.warnings.end(), found.warnings.begin(), found.warnings.end());
+  made.mesh = std::move(found.mesh);
+  made.mesh.unit = report.model.unit;
+  report.hexahedra = std::move(found.report);
+  count_quads(made.mesh, report.faces);
+  report.answer.is_meshed = true;
+  report.seconds.total = report.seconds.read + stopwatch.restart();
+  report.peak_memory_bytes = peak_memory_bytes();
+  return made;
+}
+
+}  // namespace
+
+FittedHexahedra lattice_hexahedra(const std::filesystem::path& model, const HexMeshingOptions& options,
+                                  const Monitor& monitor) {
+  FittedHexahedra made =
+      made_by_lattice([&] { return read_model(model, reading_of(options), monitor); }, options, monitor);
+  made.report.model.path = model.string();
+  return made;
+}
+
+FittedHexahedra lattice_hexahedra(const TriangleMesh& surface, const HexMeshingOptions& options,
+                                  const Monitor& monitor) {
+  return made_by_lattice([&] { return model_of(surface, reading_of(options)); }, options, monitor);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Models that hexahedra are put onto, from files and surfaces.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "crossgrain/hex_fit.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/report.hpp"
+#include "crossgrain/types.hpp"
+#include "hex/model_fitting.hpp"
+
+namespace crossgrain {
+
+/// A model as hexahedra are put onto it, with what a report says of it.
+struct ReadModel {
+  FittingModel model;
+  SolveReport::Model description;
+  std::vector<ModelFace> faces;
+  std::vector<Warning> warnings;
+};
+
+/// Reads a CAD file, a closed surface or a tet mesh. The monitor hears of the model. Throws as `read_surface`
+/// and `read_tets` do, naming the file, and Error(kInput) for surfaces that bound no solid.
+ReadModel read_model(const std::filesystem::path& path, const HexFitOptions& options, const Monitor& monitor);
+
+/// The same of a closed surface.
+ReadModel model_of(TriangleMesh surface, const HexFitOptions& options);
+
+}  // namespace crossgrain

@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""`crossgrain hex --lattice`, and lattices where no map keeps the model: judged by independent code (hex_judge.py)."""
+
+import json
+import signal
+import subprocess
+import unittest
+
+import numpy as np
+
+from fit_test import cylinder
+from hex_judge import judged
+from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
+
+USAGE, APPROXIMATE, INTERRUPTED = 2, 7, 130
+
+
+def turned(triangles, angle, axis=(1, 2, 3)):
+    x, y, z = np.array(axis) / np.linalg.norm(axis)
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.array(triangles) @ (np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross).T
+
+
+class Lattice(CommandTest):
+    def made(self, *options, model="part.stl", code=0):
+        """What it printed, and the report."""
+        result = self.run_here("hex", model, *options, "-o", "out", "--force")
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result.stdout, json.loads((self.folder / "out" / "report.json").read_text())["hexahedra"]
+
+    def assert_all_hex(self, size, model="part.stl", least=0.2):
+        verdict = judged(self.folder / "out" / "hexahedra.msh", self.folder / model, size)
+        self.assertEqual(verdict.outcome, "all_hex", verdict.reasons)
+        self.assertGreater(verdict.figures["scaled_jacobian"]["min"], least)
+
+    def test_fills_a_turned_box_with_bricks(self):
+        self.write("part.stl", stl_bytes(turned(box_triangles(), 0.7)))
+        printed, report = self.made("--lattice", "--cells", "8")
+        self.assertIn("all-hex by a lattice: ", printed)
+        self.assertIn("attempt 1 of 1: lattice", printed)
+        self.assertNotIn("tets", printed)
+        self.assertGreater(report["scaled_jacobian"]["min"], 0.999)
+        self.assert_all_hex(report["size"])
+        self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()),
+                         ["hexahedra.inp", "hexahedra.mesh", "hexahedra.msh", "hexahedra.vtu", "report.json"])
+
+    def test_is_put_onto_a_round_part_askew(self):
+        self.write("part.stl", stl_bytes(turned(cylinder(2, 5), 0.4)))
+        _, report = self.made("--lattice", "--size", "0.5")
+        self.assertEqual(report["features"]["creases"], {"all": 2, "kept": 2})
+        self.assert_all_hex(0.5)
+
+    def test_is_made_where_the_hexahedra_of_a_map_do_not_keep_the_volume(self):
+        self.write("part.stl", stl_bytes(cylinder(2, 5)))
+        printed, report = self.made("--size", "1.4", "--no-report")
+        self.assertIn("all-hex by a lattice: ", printed)
+        self.assertIn("; no map, since ", printed)
+        self.assertEqual(report["attempts"][report["best_attempt"]]["kind"], "lattice")
+        self.assertTrue((self.folder / "out" / "onto.vtu").exists(), "the field is there too")
+        self.assert_all_hex(report["size"])
+
+    def test_is_not_made_where_maps_are_preferred(self):
+        self.write("part.stl", stl_bytes(cylinder(2, 5)))
+        for option in (("--map-only",), ("--prefer", "map")):
+            _, report = self.made("--size", "1.4", *option, "--no-report", code=APPROXIMATE)
+            self.assertEqual({attempt["kind"] for attempt in report["attempts"]} - {"tets", "repair"}, set())
+
+    def test_comes_first_where_it_is_preferred(self):
+        self.write("box.mesh", medit_text(*tet_box((3, 2, 2))))
+        printed, report = self.made("--cells", "6", "--prefer", "lattice", "--no-report", model="box.mesh")
+        self.assertIn("all-hex by a lattice: 90 of ", printed)
+        self.assertEqual([attempt["kind"] for attempt in report["attempts"]], ["lattice"])
+
+    def test_that_is_stopped_is_the_best_so_far(self):
+        self.write("part.stl", stl_bytes(cylinder(2, 5, segments=7)))
+        with subprocess.Popen([PROGRAM, "hex", "part.stl", "--lattice", "--cells", "60", "-o", "out", "--progress", "json"], cwd=self.folder, text=True,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+            for line in process.stderr:
+                if line.startswith('{"event":"progress"') and '"phase":"smooth"' in line:
+                    break
+            process.send_signal(signal.SIGTERM)
+            errors = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, INTERRUPTED, errors)
+        self.assertIn("interrupted: writing the best mesh so far, ", errors)
+        made = json.loads((self.folder / "out/report.json").read_text())["hexahedra"]
+        self.assertTrue(made["is_stopped"])
+        self.assertIn(", the search was stopped", made["sentence"])
+        self.assertGreater(made["hexahedra"], 0)
+
+    def test_takes_no_options_of_maps(self):
+        self.write("part.stl", stl_bytes(box_triangles()))
+        for options in (["--map-only"], ["--prefer", "map"]):
+            self.assert_fails(self.run_here("hex", "part.stl", "--lattice", *options, "-o", "out"), USAGE, "--lattice")
+
+    def test_refuses_sizes_that_suit_no_part(self):
+        self.write("part.stl", stl_bytes(box_triangles()))
+        for size in ("1e9", "1e-9"):
+            self.assert_fails(self.run_here("hex", "part.stl", "--lattice", "--size", size, "-o", "out"), USAGE, "too")
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
