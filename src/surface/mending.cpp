@@ -107,11 +107,11 @@ class Mender {
   }
 
  private:
-  /// Returns the edges of surface triangles, except those left out once `left_out_` is set.
-  std::vector<EdgeUse> edge_uses() const {
+  /// Returns the edges of surface triangles, except those left out once `left_out_` is set, unless asked for.
+  std::vector<EdgeUse> edge_uses(bool with_left_out = false) const {
     auto triangles = mesh_.triangles;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const bool is_left_out = !left_out_.empty() && left_out_[t];
+      const bool is_left_out = !with_left_out && !left_out_.empty() && left_out_[t];
       if (roles_[t] != TriangleRole::kSurface || is_left_out) triangles[t] = {0, 0, 0};
     }
     return sorted_edge_uses(triangles);
@@ -245,11 +245,13 @@ class Mender {
 
   /// Of the longest rim: ", open along 12.5 around 1 2 3".
   std::string words_of_rim() const {
-    const auto rims = open_loops(mesh_.vertices, open_);
+    const std::vector<EdgeUse> uses = edge_uses(/*with_left_out=*/true);
+    const double size = longest_side(box_of_solid_triangles(mesh_));
+    const auto rims = open_loops(mesh_.vertices, find_open_edges(mesh_.vertices, uses, size));
     const auto longest = std::ranges::max_element(rims, {}, &OpenLoop::length);
     if (longest == rims.end()) return "";
     return fmt::format(", open along {:.4g} around {}", longest->length,
-                       words_of_place(longest->middle, longest_side(box_of(mesh_.vertices))));
+                       words_of_place(longest->middle, size));
   }
 
   void finish() {

@@ -68,7 +68,7 @@ TEST(VtkReader, TakesTheCornersOfCurvedTetsAndWarns) {
 TEST(VtkReader, RefusesOtherSolidElements) {
   expect_tet_error(
       text(kHeader + kPoints + "CELLS 2 14\n4 0 1 2 3\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 2\n10\n12\n"),
-      "10: hexahedra (1), but only tets can be used; cut the solid into tets");
+      "10: hexahedra (1), but only tets can be used; put them onto a model as they are");
 }
 
 TEST(VtkReader, RefusesCellsOfAnotherSizeOrUnknownType) {

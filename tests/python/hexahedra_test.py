@@ -240,10 +240,20 @@ class HexahedraOfModels(WithFolder):
         with self.assertRaisesRegex(cg.UsageError, "hexahedra of 1000 are too large for the part, which is 1 across"):
             cg.hex(*cube_of_tets(3), size=1000)
 
+    def test_are_a_lattice_where_that_is_asked_for(self):
+        points, triangles = box()
+        mesh = cg.hex(points, triangles, cells=4, lattice=True)
+        self.assertTrue(mesh.is_all_hex)
+        self.assertEqual(len(mesh.cells), len(mesh.quality))
+        self.assertIn("by a lattice", str(mesh))
+        with self.assertRaises(cg.UsageError):
+            mesh.field  # pylint: disable=pointless-statement
+
     def test_that_do_not_fill_the_model_say_why(self):
         angles = 2 * np.pi / 5 * np.arange(5)
         points = np.vstack([[[0, 0, 1.5], [0, 0, 0]], np.c_[np.cos(angles), np.sin(angles), 0 * angles]])
-        mesh = cg.hex(points, [[0, 1, 2 + k, 2 + (k + 1) % 5] for k in range(5)], cells=3)
+        mesh = cg.hex(points, [[0, 1, 2 + k, 2 + (k + 1) % 5] for k in range(5)],
+                      options=cg.HexMeshingOptions(hexahedra=cg.HexOptions(cells=3, preference="map_only")))
         self.assertFalse(mesh.is_all_hex)
         self.assertTrue(mesh.reason)
         self.assertIn(mesh.report["hexahedra"]["reason"], str(mesh))
