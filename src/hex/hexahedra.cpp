@@ -146,6 +146,7 @@ Hexahedra best_lattice(const AttemptQueue& queue) {
     for (const std::uint32_t tet : tets) mesh.regions.push_back(solid.mesh.regions[tet]);
   }
   judge_solids(mesh, {tets, solid}, field.domain(), body_contacts(solid), report, whole);
+  judge_interfaces(whole, report);
   mesh.is_partial = is_partial(report.outcome);
   count_quads(mesh, whole.faces);
   choose_size(whole.faces, solid, report);
@@ -188,6 +189,7 @@ Hexahedra best_of_maps(const AttemptQueue& queue) {
   } else {
     report.features.reset();
   }
+  judge_interfaces(whole, report);
   mesh.is_partial = is_partial(report.outcome);
   count_quads(mesh, whole.faces);
   choose_size(whole.faces, followed.solid(), report);

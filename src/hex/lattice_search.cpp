@@ -39,7 +39,7 @@ Surface surface_of(const FeatureComplex& features) {
 constexpr double kMostOneSided = 0.05;
 
 /// The points of holes and bosses: of faces, with those across soft curves, that look to all sides alike.
-std::vector<std::vector<Vector3>> narrow_features(const FeatureComplex& features) {
+std::vector<std::vector<Vector3>> holes_of(const FeatureComplex& features) {
   std::vector<std::uint32_t> group(features.faces.size());
   std::iota(group.begin(), group.end(), 0);
   const auto root = [&](std::uint32_t face) {
@@ -64,11 +64,11 @@ std::vector<std::vector<Vector3>> narrow_features(const FeatureComplex& features
     of_face.area += 0.5 * norm(twice);
     of_face.points.insert(of_face.points.end(), corners.begin(), corners.end());
   }
-  std::vector<std::vector<Vector3>> narrow;
+  std::vector<std::vector<Vector3>> holes;
   for (Around& of_face : all)
     if (of_face.area > 0 && norm(of_face.towards) <= kMostOneSided * of_face.area)
-      narrow.push_back(std::move(of_face.points));
-  return narrow;
+      holes.push_back(std::move(of_face.points));
+  return holes;
 }
 
 /// What makes one result worth less than another.
@@ -90,7 +90,7 @@ class Search {
       : model_(model),
         surface_(surface_of(model.features)),
         shells_(euler_numbers_of_shells(model.features.triangles)),
-        narrow_{narrow_features(model.features)},
+        holes_(holes_of(model.features)),
         monitor_(monitor),
         on_end_(on_end),
         asked_size_(size),
@@ -145,14 +145,19 @@ class Search {
 
   bool is_done() const { return best_ && (is_good(best_->report) || best_->report.is_stopped); }
 
-  /// With planes at narrow features only where it has another topology without them.
+  /// With planes at narrow features only where it has another topology without them: at walls; at holes too;
+  /// and around these.
   Lattice lattice_at(double size) {
     const WatchedLoops watched(monitor_, Stops::kHeeded);
     Lattice lattice = lattice_of(surface_, size);
-    for (const bool have_rings : {false, true}) {
-      if (lattice.shells == shells_ || narrow_.points.empty()) break;
-      narrow_.have_rings = have_rings;
-      Lattice other = lattice_of(surface_, size, narrow_);
+    std::vector<NarrowFeatures> narrow = {{.walls = true}};
+    if (!holes_.empty()) {
+      narrow.push_back({.walls = true, .holes = holes_});
+      narrow.push_back({.walls = true, .holes = holes_, .have_rings = true});
+    }
+    for (const NarrowFeatures& features : narrow) {
+      if (lattice.shells == shells_) break;
+      Lattice other = lattice_of(surface_, size, features);
       if (other.shells == shells_) lattice = std::move(other);
     }
     return lattice;
@@ -236,7 +241,7 @@ class Search {
   const FittingModel& model_;
   const Surface surface_;
   const std::vector<int> shells_;
-  NarrowFeatures narrow_;
+  const std::vector<std::vector<Vector3>> holes_;
   const Monitor& monitor_;
   const std::function<void(const HexAttemptEnd&)>& on_end_;
   const double asked_size_, expected_;

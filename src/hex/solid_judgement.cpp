@@ -12,6 +12,7 @@
 #include "base/vector3.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/place.hpp"
+#include "measure/feature_measure.hpp"
 #include "measure/hex_interfaces.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "surface/surface.hpp"
@@ -113,7 +114,7 @@ void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomai
         WarningKind::kCrossedInterfaces,
         fmt::format(
             "hexahedra do not keep to the faces between solids: {} of {} between them are off, by up to "
-            "{:.2g} ({:.2g} of their size) at {}; smaller hexahedra come closer",
+            "{:.2g} ({:.2g} of their size) at {}",
             interfaces.off, counted(interfaces.faces, "face"), interfaces.largest_distance,
             interfaces.largest_distance / report.used_size, words_of_place(interfaces.place)));
   }
@@ -128,6 +129,16 @@ void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomai
     judge_empty_solids(empty, model, report);
   else if (has_empty && !mesh.hexahedra.empty())
     whole.warnings.emplace_back(WarningKind::kEmptySolids, words_of(empty, model));
+}
+
+void judge_interfaces(const SolveReport& whole, HexReport& report) {
+  const bool fills = report.outcome == HexOutcome::kAllHex || report.outcome == HexOutcome::kApproximate;
+  const double off = report.largest_interface_distance / report.used_size;
+  if (!fills || (whole.onto && whole.onto->united) || !(off > kMostOffInAll)) return;
+  report.outcome = HexOutcome::kApproximate;
+  report.reason += fmt::format(
+      "{}the faces between its solids are steps of hexahedra, up to {:.2g} off, {:.2g} of their size",
+      report.reason.empty() ? "" : "; ", report.largest_interface_distance, off);
 }
 
 }  // namespace crossgrain

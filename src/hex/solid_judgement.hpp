@@ -31,4 +31,9 @@ struct CentreTets {
 void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomain& domain,
                   const std::vector<BodyContact>& contacts, HexReport& report, SolveReport& whole);
 
+/// Sets HexOutcome::kApproximate, and adds the reason, where hexahedra that are kept apart by solids leave
+/// the faces between these by more than they may leave the surface (kMostOffInAll). After judge_solids and
+/// judge_features.
+void judge_interfaces(const SolveReport& whole, HexReport& report);
+
 }  // namespace crossgrain

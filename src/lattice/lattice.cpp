@@ -93,14 +93,14 @@ Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& na
   Lattice lattice;
   lattice.axes = lattice_axes(surface);
   const Surface along = turned(surface, lattice.axes);
-  std::vector<Box> boxes;
-  for (const std::vector<Vector3>& feature : narrow.points) {
+  NarrowPlanes of_narrow{narrow.walls, {}};
+  for (const std::vector<Vector3>& hole : narrow.holes) {
     std::vector<Vector3> points;
-    for (const Vector3& p : feature) points.push_back(rotate(conjugate(lattice.axes), p));
-    boxes.push_back(box_of(points));
+    for (const Vector3& p : hole) points.push_back(rotate(conjugate(lattice.axes), p));
+    of_narrow.holes.push_back(box_of(points));
   }
-  if (narrow.have_rings) add_rings(boxes);
-  const LatticePlanes planes = lattice_planes(along, size, boxes);
+  if (narrow.have_rings) add_rings(of_narrow.holes);
+  const LatticePlanes planes = lattice_planes(along, size, of_narrow);
   require_memory_of(planes);
   const KeptCells kept = kept_cells(volume_shares(along, planes), planes);
   lattice.toggled = kept.toggled;

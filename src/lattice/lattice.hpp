@@ -12,11 +12,14 @@
 
 namespace crossgrain {
 
-/// Holes, slots and bosses narrower than two sizes, which get planes of their own.
+/// What gets planes of its own although it is narrower than the size.
 struct NarrowFeatures {
-  std::vector<std::vector<Vector3>>
-      points;               ///< of each, from which its box along the lattice's axes is found
-  bool have_rings = false;  ///< planes around them too: for thin walls beside holes
+  bool walls = false;  ///< both sides of thin walls and gaps
+
+  /// Points of holes, slots and bosses narrower than two sizes, from which their boxes along the lattice's
+  /// axes are found; and whether planes lie around them too, for thin walls beside holes.
+  std::vector<std::vector<Vector3>> holes = {};
+  bool have_rings = false;
 };
 
 struct Lattice {

@@ -10,7 +10,7 @@ namespace crossgrain {
 namespace {
 
 /// Faces are normal to an axis within 6 degrees, and in one plane within this share of a size.
-constexpr double kNormalCosine = 0.995, kSamePlane = 0.01;
+constexpr double kNormalCosine = 0.995, kSamePlane = 0.03;
 
 /// The border of the surface gets a plane unless a face is this near to it, in sizes.
 constexpr double kBorderGap = 0.3;
@@ -19,7 +19,7 @@ constexpr double kBorderGap = 0.3;
 constexpr double kWidestHole = 2;
 
 /// Both sides of a wall or a gap get planes if they have this area, in squared sizes, and are this far apart.
-constexpr double kWallArea = 4, kThinnestWall = 0.02;
+constexpr double kWallArea = 4, kThinnestWall = 0.04;
 
 struct FlatArea {
   double coordinate, area;
@@ -59,9 +59,11 @@ bool bound_wall(const FlatArea& a, const FlatArea& b, double size) {
          std::abs(a.coordinate - b.coordinate) >= kThinnestWall * size;
 }
 
-void add_apart(const FlatArea& flat, double gap, double size, std::vector<FlatArea>& planes) {
+template <class MayBeNear>
+void add_apart(const FlatArea& flat, double gap, const MayBeNear& may_be_near,
+               std::vector<FlatArea>& planes) {
   if (std::ranges::all_of(planes, [&](const FlatArea& other) {
-        return std::abs(flat.coordinate - other.coordinate) >= gap || bound_wall(flat, other, size);
+        return std::abs(flat.coordinate - other.coordinate) >= gap || may_be_near(flat, other);
       }))
     planes.push_back(flat);
 }
@@ -84,18 +86,22 @@ std::vector<double> divided(std::vector<double> planes, double size) {
 
 }  // namespace
 
-LatticePlanes lattice_planes(const Surface& surface, double size, std::span<const Box> holes) {
+LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPlanes& narrow) {
+  const auto is_wall = [&](const FlatArea& a, const FlatArea& b) {
+    return narrow.walls && bound_wall(a, b, size);
+  };
+  const auto is_never_near = [](const FlatArea&, const FlatArea&) { return false; };
   LatticePlanes planes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<FlatArea> kept;
     for (const FlatArea& flat : flat_areas(surface, axis, size))
-      if (flat.area >= kPlaneArea * size * size) add_apart(flat, kLeastGap * size, size, kept);
+      if (flat.area >= kPlaneArea * size * size) add_apart(flat, kLeastGap * size, is_wall, kept);
     for (const double end : {surface.box.low[axis], surface.box.high[axis]})
-      add_apart({end, 0, 0}, kBorderGap * size, size, kept);
-    for (const Box& hole : holes) {
+      add_apart({end, 0, 0}, kBorderGap * size, is_never_near, kept);
+    for (const Box& hole : narrow.holes) {
       if (hole.high[axis] - hole.low[axis] >= kWidestHole * size) continue;
       for (const double side : {hole.low[axis], hole.high[axis]})
-        add_apart({side, 0, 0}, kHoleGap * size, size, kept);
+        add_apart({side, 0, 0}, kHoleGap * size, is_never_near, kept);
     }
     std::vector<double> coordinates;
     for (const FlatArea& flat : kept) coordinates.push_back(flat.coordinate);

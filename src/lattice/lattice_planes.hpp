@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "surface/surface.hpp"
@@ -19,11 +18,17 @@ struct LatticePlanes {
   std::size_t cells() const { return cells(0) * cells(1) * cells(2); }
 };
 
+/// What gets planes besides large faces that are apart.
+struct NarrowPlanes {
+  bool walls = false;  ///< both sides of walls and gaps, however thin
+  std::vector<Box> holes =
+      {};  ///< both sides of boxes that are narrower than two sizes, unless others are near
+};
+
 /// Returns planes about `size` apart around a surface: those of its large faces normal to an axis first,
-/// where these are not too near to each other (kLeastGap); the same number of others between two of them as
-/// fit best; and on either side one that the surface does not reach. Both sides of `holes`, boxes of what is
-/// narrower than two sizes, get planes too, unless others are near (kHoleGap).
-LatticePlanes lattice_planes(const Surface& surface, double size, std::span<const Box> holes = {});
+/// where these are not too near to each other (kLeastGap); then those of what is narrow; the same number of
+/// others between two of them as fit best; and on either side one that the surface does not reach.
+LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPlanes& narrow = {});
 
 /// Least distance of planes on faces, in sizes.
 inline constexpr double kLeastGap = 0.45;

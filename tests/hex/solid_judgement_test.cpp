@@ -97,6 +97,12 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
       std::string::npos)
       << warnings.back().text;
   EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
+  judge_interfaces(made.field.report(), report);
+  EXPECT_EQ(report.outcome, HexOutcome::kAllHex) << "they are united";
+  judge_interfaces(whole, report);
+  EXPECT_EQ(report.outcome, HexOutcome::kApproximate);
+  EXPECT_EQ(report.reason,
+            "the faces between its solids are steps of hexahedra, up to 0.37 off, 0.37 of their size");
 }
 
 TEST(SolidJudgement, NamesBodiesWithoutHexahedraWhereTetsHaveNoRegions) {

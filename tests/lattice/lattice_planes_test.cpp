@@ -45,5 +45,17 @@ TEST(LatticePlanes, OfFacesThatAreTooNearAreThoseOfTheLargest) {
   EXPECT_EQ(near, 1u);
 }
 
+TEST(LatticePlanes, LieOnBothSidesOfThinWallsAndOfHolesIfAskedTo) {
+  const Surface plate = surface_of(make_box({10, 10, 0.2}));
+  EXPECT_EQ(lattice_planes(plate, 1).cells(2), 2u) << "one plane, and one beyond it on either side";
+  const LatticePlanes planes = lattice_planes(plate, 1, {.walls = true});
+  for (const double z : {plate.box.low[2], plate.box.high[2]}) EXPECT_TRUE(has(planes.at[2], z));
+  const LatticePlanes at_hole =
+      lattice_planes(plate, 1, {.walls = false, .holes = {{{1.3, 2.2, 0}, {1.7, 9, 0.2}}}});
+  EXPECT_TRUE(has(at_hole.at[0], 1.3));
+  EXPECT_TRUE(has(at_hole.at[0], 1.7));
+  EXPECT_FALSE(has(at_hole.at[1], 2.2)) << "the hole is wide there";
+}
+
 }  // namespace
 }  // namespace crossgrain
