@@ -70,6 +70,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kUseHexSize, "try --size {}", kHex},
     {Remedy::kTakeLargerHexahedra, "raise --size, or lower --cells", kHex},
     {Remedy::kTakeSmallerHexahedra, "lower --size, or raise --cells", kHex},
+    {Remedy::kTakeSmallerHexahedra, "give smaller hexahedra as MESH", kFit},
     {Remedy::kTakeFewerHexahedra, "raise --size, or allow more memory with --max-memory", kHex},
     {Remedy::kAllowTetTime, "take larger tets with --size or --edges, or allow more time with --seconds",
      kTets},

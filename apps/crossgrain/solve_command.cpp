@@ -507,8 +507,8 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     };
     const SolveOnGrid on_grid = together ? together : solve_alone;
     const Job job{arguments, on_grid, monitor, warn, tell, &lines, start};
-    const bool has_field = arguments.mesh.empty() && !arguments.lattice;
-    report = has_field ? solve_and_write(job, reservation) : fit_and_write(job, reservation);
+    const bool is_of_field = arguments.mesh.empty() && !arguments.lattice;
+    report = is_of_field ? solve_and_write(job, reservation) : fit_and_write(job, reservation);
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)

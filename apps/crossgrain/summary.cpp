@@ -179,13 +179,14 @@ std::string time_row(const SolveReport& report) {
 
 std::string files_row(const SolveReport& report, const SolveArguments& arguments) {
   std::vector<std::string> names;
-  if (arguments.mesh.empty()) {
+  const bool is_of_field = arguments.mesh.empty() && !arguments.lattice;
+  if (is_of_field) {
     names = result_files(arguments.output_options, report);
   } else {
     for (const ResultInventory::File& file : report.files) names.push_back(file.name);
     names.push_back("report.json");
   }
-  if (arguments.page) names.insert(names.begin(), kPageFile);
+  if (arguments.page && is_of_field) names.insert(names.begin(), kPageFile);
   for (std::string& name : names)
     if (name == kCellsFile && is_in_pieces(arguments.output)) name = kPiecesFile;
   return row("files", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));

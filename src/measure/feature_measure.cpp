@@ -172,9 +172,7 @@ class FeatureMeasurer {
     if (figures.percentile_99 <= kMostOff99 && figures.largest <= kMostOff &&
         figures.largest_in_all <= kMostOffInAll)
       return;
-    const bool is_off_in_all = figures.largest <= kMostOff && figures.largest_in_all > kMostOffInAll;
-    result_.lacking.push_back({kind, 0, 0, is_off_in_all ? figures.place_in_all : figures.place,
-                               is_off_in_all ? figures.largest_in_all : figures.largest, 0, 0});
+    result_.lacking.push_back({kind, 0, 0, figures.place_in_all, figures.largest_in_all, 0, 0});
   }
 
   void measure_volumes() {

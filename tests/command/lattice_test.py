@@ -40,6 +40,7 @@ class Lattice(CommandTest):
         self.assertIn("all-hex by a lattice: ", printed)
         self.assertIn("attempt 1 of 1: lattice", printed)
         self.assertNotIn("tets", printed)
+        self.assertRegex(printed, r"(?m)^files      out: hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
         self.assertGreater(report["scaled_jacobian"]["min"], 0.999)
         self.assert_all_hex(report["size"])
         self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()),
