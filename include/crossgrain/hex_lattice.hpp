@@ -19,8 +19,9 @@ namespace crossgrain {
 /// follow until all is kept (HexReport::attempts).
 ///
 /// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`; its solids
-/// are one. Of the options those about tets and the field do not matter. The same to the bit for any number
-/// of threads. Errors as of `fit_hexahedra`, and kUsage for sizes that do not suit the model.
+/// are one (kApproximate where they touch). Of the options those about tets and the field do not matter. The
+/// same to the bit for any number of threads. Errors as of `fit_hexahedra`, and kUsage for sizes that do not
+/// suit the model.
 FittedHexahedra lattice_hexahedra(const std::filesystem::path& model, const HexMeshingOptions& options = {},
                                   const Monitor& monitor = {});
 

@@ -87,7 +87,7 @@ std::string remedy_of(const HexReport& report, const std::string& remedy_words) 
   const bool is_wanting = report.outcome != HexOutcome::kAllHex || !report.reason.empty();
   if (!is_wanting || !remedy_words.empty() || report.attempts.empty())
     return with_count(report, remedy_words);
-  return "smaller hexahedra may help";
+  return is_of_lattice(report) ? "" : "smaller hexahedra may help";
 }
 
 /// Says so of shapes that are too poor to compute on, where none is inverted.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/hex_lattice.hpp"
 
+#include <fmt/format.h>
+
+#include <cstddef>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/system_memory.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/message.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "hex/hex_making.hpp"
@@ -42,6 +46,16 @@ void check(const HexMeshingOptions& options, const FittingModel& model) {
   AskedHexahedra(of_size).check(SearchableSurface(prepare_surface(CheckedMesh::derived(std::move(surface)))));
 }
 
+/// Sets HexOutcome::kApproximate, with the reason, where solids that touch have become one.
+void judge_solids_of_lattice(std::size_t solids, HexReport& report) {
+  const bool fills = report.outcome == HexOutcome::kAllHex || report.outcome == HexOutcome::kApproximate;
+  if (!fills || solids <= report.bodies) return;
+  report.outcome = HexOutcome::kApproximate;
+  report.reason += fmt::format("{}its {} are meshed as {}, without faces between them, which only maps have",
+                               report.reason.empty() ? "" : "; ", counted(solids, "solid"),
+                               report.bodies == 1 ? "one" : counted(report.bodies, "body", "bodies"));
+}
+
 template <class Read>
 FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& options, const Monitor& monitor) {
   const ThreadLimit threads(options.hexahedra.threads > 0 ? options.hexahedra.threads
@@ -69,6 +83,7 @@ FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& optio
   made.mesh = std::move(found.mesh);
   made.mesh.unit = report.model.unit;
   report.hexahedra = std::move(found.report);
+  judge_solids_of_lattice(model.solids, *report.hexahedra);
   count_quads(made.mesh, report.faces);
   report.answer.is_meshed = true;
   report.seconds.total = report.seconds.read + stopwatch.restart();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meshing/read_model.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "archives/gzip.hpp"
@@ -50,6 +53,11 @@ ReadModel read_given(GivenModel given, const TriangleMesh& as_read, std::vector<
   return read;
 }
 
+/// How many numbers of solids or regions there are; 1 without.
+std::size_t count_numbers(const std::vector<std::int32_t>& numbers) {
+  return std::max<std::size_t>(1, std::set<std::int32_t>(numbers.begin(), numbers.end()).size());
+}
+
 ReadModel tet_model(TetMesh mesh, const HexFitOptions& options, const Monitor& monitor) {
   if (options.unit != LengthUnit::kUnknown) mesh.unit = name_of(options.unit);
   monitor.tell(summary_of(mesh));
@@ -63,6 +71,7 @@ ReadModel tet_model(TetMesh mesh, const HexFitOptions& options, const Monitor& m
   read.description.file_unit = boundary.file_unit;
   read.faces = model_faces(domain.data().solid, domain.data().walls);
   read.warnings = domain.warnings();
+  read.solids = count_numbers(domain.mesh().regions);
   return read;
 }
 
@@ -70,7 +79,10 @@ ReadModel read_file(const std::filesystem::path& path, const HexFitOptions& opti
   if (is_tet_file(path)) return tet_model(read_tets(path), options, monitor);
   if (const auto format = cad_format_of(path)) {
     const CadModel model = read_solids(read_unpacked(path), *format, reading_of(options), monitor);
-    return read_given(given_cad(model.mesh, options.crease_angle_deg), model.mesh, model.mesh.warnings);
+    ReadModel read =
+        read_given(given_cad(model.mesh, options.crease_angle_deg), model.mesh, model.mesh.warnings);
+    read.solids = count_numbers(model.mesh.solids);
+    return read;
   }
   ReadOptions reading;
   reading.unit = options.unit;

@@ -2,6 +2,7 @@
 // Models that hexahedra are put onto, from files and surfaces.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct ReadModel {
   SolveReport::Model description;
   std::vector<ModelFace> faces;
   std::vector<Warning> warnings;
+  std::size_t solids = 1;  ///< of a CAD file, or regions of tets
 };
 
 /// Reads a CAD file, a closed surface or a tet mesh. The monitor hears of the model. Throws as `read_surface`

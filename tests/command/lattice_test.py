@@ -73,6 +73,17 @@ class Lattice(CommandTest):
         self.assertIn("all-hex by a lattice: 90 of ", printed)
         self.assertEqual([attempt["kind"] for attempt in report["attempts"]], ["lattice"])
 
+    def test_of_two_solids_that_touch_is_no_success(self):
+        vertices, tets = tet_box((4, 2, 2), (4.0, 2.0, 2.0))
+        lines = medit_text(vertices, tets).split("\n")
+        first = lines.index("Tetrahedra") + 2
+        for k, tet in enumerate(tets):
+            lines[first + k] = lines[first + k][:-1] + ("1" if vertices[tet].mean(axis=0)[0] < 2 else "2")
+        self.write("two.mesh", "\n".join(lines))
+        printed, report = self.made("--lattice", "--cells", "8", model="two.mesh", code=APPROXIMATE)
+        self.assertRegex(printed, r"(?m)its 2 solids are meshed as one, without faces between them, which only maps have$")
+        self.assertEqual(report["bodies"], 1)
+
     def test_that_is_stopped_is_the_best_so_far(self):
         self.write("part.stl", stl_bytes(cylinder(2, 5, segments=7)))
         with subprocess.Popen([PROGRAM, "hex", "part.stl", "--lattice", "--cells", "60", "-o", "out", "--progress", "json"], cwd=self.folder, text=True,
