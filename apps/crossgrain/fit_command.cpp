@@ -35,6 +35,19 @@ FittedHexahedra unless_interrupted(const Make& make, const Monitor& monitor) {
 
 }  // namespace
 
+HexMeshingOptions hex_options(const SolveArguments& arguments) {
+  HexMeshingOptions options = *arguments.hexahedra;
+  options.tags = arguments.tags;
+  options.solve = arguments.options;
+  options.solve.for_page = arguments.page;
+  options.tets.crease_angle_deg = options.solve.crease_angle_deg;
+  options.tets.max_memory_bytes = options.solve.max_memory_bytes;
+  options.tets.read_seconds = arguments.read_seconds;
+  options.tets.glue = arguments.glue;
+  options.tets.unit = arguments.unit;
+  return options;
+}
+
 FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
                             const Monitor& monitor) {
   HexMesh mesh;
@@ -56,13 +69,7 @@ FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function
 FittedHexahedra lattice_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
                              const std::function<void(const HexAttemptEnd&)>& on_end,
                              const Monitor& monitor) {
-  HexMeshingOptions options = *arguments.hexahedra;
-  options.tags = arguments.tags;
-  options.solve = arguments.options;
-  options.tets.crease_angle_deg = options.solve.crease_angle_deg;
-  options.tets.read_seconds = arguments.read_seconds;
-  options.tets.glue = arguments.glue;
-  options.tets.unit = arguments.unit;
+  HexMeshingOptions options = hex_options(arguments);
   options.on_warning = warn;
   options.on_attempt_end = on_end;
   return unless_interrupted(

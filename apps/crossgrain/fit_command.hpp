@@ -9,6 +9,9 @@
 
 namespace crossgrain::app {
 
+/// The options that arguments of `hex` stand for, without listeners.
+HexMeshingOptions hex_options(const SolveArguments& arguments);
+
 /// Reads the mesh of `fit` and puts it onto its model. Warnings of reading are handed out before the work.
 FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
                             const Monitor& monitor);

@@ -286,15 +286,7 @@ void check_is_model(const std::string& model) {
 /// Makes hexahedra of the model.
 Solved meshed(const Job& job) {
   const SolveArguments& arguments = job.arguments;
-  HexMeshingOptions options = *arguments.hexahedra;
-  options.tags = arguments.tags;
-  options.solve = arguments.options;
-  options.solve.for_page = arguments.page;
-  options.tets.crease_angle_deg = options.solve.crease_angle_deg;
-  options.tets.max_memory_bytes = options.solve.max_memory_bytes;
-  options.tets.read_seconds = arguments.read_seconds;
-  options.tets.glue = arguments.glue;
-  options.tets.unit = arguments.unit;
+  HexMeshingOptions options = hex_options(arguments);
   options.on_warning = job.warn;
   options.on_expected = [&](const HexExpectation& expected) {
     if (arguments.quiet) return;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -15,61 +14,17 @@
 #include "base/parallel.hpp"
 #include "base/required_memory.hpp"
 #include "base/stopwatch.hpp"
-#include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/message.hpp"
 #include "fit/feature_fit.hpp"
 #include "hex/attempt_kinds.hpp"
 #include "hex/hex_report.hpp"
+#include "lattice/holes.hpp"
 #include "lattice/lattice.hpp"
 #include "surface/shells.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// The surface that a lattice is cut to: that of the features, on which all solids are one.
-Surface surface_of(const FeatureComplex& features) {
-  TriangleMesh mesh;
-  mesh.vertices = features.vertices;
-  mesh.triangles = features.triangles;
-  return prepare_surface(CheckedMesh::derived(std::move(mesh)));
-}
-
-/// Faces that go all around something: of which this share of the area looks to one side at most.
-constexpr double kMostOneSided = 0.05;
-
-/// The points of holes and bosses: of faces, with those across soft curves, that look to all sides alike.
-std::vector<std::vector<Vector3>> holes_of(const FeatureComplex& features) {
-  std::vector<std::uint32_t> group(features.faces.size());
-  std::iota(group.begin(), group.end(), 0);
-  const auto root = [&](std::uint32_t face) {
-    while (group[face] != face) face = group[face] = group[group[face]];
-    return face;
-  };
-  for (const FeatureComplex::Curve& curve : features.curves)
-    if (curve.is_soft)
-      for (const FeatureComplex::Side& side : curve.sides)
-        group[root(side.face)] = root(curve.sides.front().face);
-  struct Around {
-    Vector3 towards{0, 0, 0};
-    double area = 0;
-    std::vector<Vector3> points;
-  };
-  std::vector<Around> all(group.size());
-  for (std::size_t t = 0; t < features.triangles.size(); ++t) {
-    Around& of_face = all[root(features.face_of[t])];
-    const auto corners = features.points_of(t);
-    const Vector3 twice = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    of_face.towards += 0.5 * twice;
-    of_face.area += 0.5 * norm(twice);
-    of_face.points.insert(of_face.points.end(), corners.begin(), corners.end());
-  }
-  std::vector<std::vector<Vector3>> holes;
-  for (Around& of_face : all)
-    if (of_face.area > 0 && norm(of_face.towards) <= kMostOneSided * of_face.area)
-      holes.push_back(std::move(of_face.points));
-  return holes;
-}
 
 /// What makes one result worth less than another.
 auto flaws_of(const HexReport& report) {
@@ -88,7 +43,7 @@ class Search {
   Search(const FittingModel& model, double size, const Monitor& monitor,
          const std::function<void(const HexAttemptEnd&)>& on_end)
       : model_(model),
-        surface_(surface_of(model.features)),
+        surface_(outer_surface(model.features)),
         shells_(euler_numbers_of_shells(model.features.triangles)),
         holes_(holes_of(model.features)),
         monitor_(monitor),
@@ -251,6 +206,13 @@ class Search {
 };
 
 }  // namespace
+
+Surface outer_surface(const FeatureComplex& features) {
+  TriangleMesh mesh;
+  mesh.vertices = features.vertices;
+  mesh.triangles = features.triangles;
+  return prepare_surface(CheckedMesh::derived(std::move(mesh)));
+}
 
 LatticeHexahedra lattice_hexahedra(const FittingModel& model, double size, const Monitor& monitor,
                                    const std::function<void(const HexAttemptEnd&)>& on_end) {

@@ -9,8 +9,12 @@
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/warning.hpp"
 #include "hex/model_fitting.hpp"
+#include "surface/surface.hpp"
 
 namespace crossgrain {
+
+/// Returns the surface that a lattice is cut to: that of the features, on which all solids are one.
+Surface outer_surface(const FeatureComplex& features);
 
 struct LatticeHexahedra {
   HexMesh mesh;      ///< with boundary and tags

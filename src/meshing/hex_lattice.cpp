@@ -39,11 +39,9 @@ void check(const HexMeshingOptions& options, const FittingModel& model) {
   HexMeshingOptions of_size;
   of_size.hexahedra = options.hexahedra;
   of_size.on_warning = options.on_warning;
-  TriangleMesh surface;
-  surface.vertices = model.features.vertices;
-  surface.triangles = model.features.triangles;
-  surface.unit = model.solid.mesh.unit;
-  AskedHexahedra(of_size).check(SearchableSurface(prepare_surface(CheckedMesh::derived(std::move(surface)))));
+  Surface surface = outer_surface(model.features);
+  surface.mesh.unit = model.solid.mesh.unit;
+  AskedHexahedra(of_size).check(SearchableSurface(std::move(surface)));
 }
 
 /// Sets HexOutcome::kApproximate, with the reason, where solids that touch have become one.
