@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -15,19 +13,16 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/hex_meshing.hpp"
-#include "crossgrain/message.hpp"
-#include "crossgrain/model_summary.hpp"
 #include "crossgrain/page.hpp"
-#include "crossgrain/place.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/reading.hpp"
 #include "crossgrain/repair.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/thread_limit.hpp"
-#include "fit_command.hpp"
+#include "hex_command.hpp"
 #include "interruption.hpp"
+#include "job.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "output_places.hpp"
@@ -38,29 +33,6 @@
 
 namespace crossgrain::app {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// A run of `solve` or `hex`.
-struct Job {
-  const SolveArguments& arguments;
-  SolveOnGrid on_grid;
-  const Monitor& monitor;
-  std::function<void(const Warning&)> warn = [](const Warning&) {};  ///< of reading, before the solve
-  /// Prints what was read, under a name.
-  std::function<void(const char* what, const ModelSummary&)> tell = [](const char*, const ModelSummary&) {};
-  ProgressLines* lines = nullptr;
-  Clock::time_point start = Clock::now();
-
-  /// Before a line is printed.
-  void leave_line() const {
-    if (lines != nullptr) lines->leave_line();
-  }
-};
 
 /// No mesh of hexahedra fills the model; one does, but not as it should.
 constexpr int kPartialHex = 6, kApproximateHex = 7;
@@ -178,20 +150,6 @@ std::string expected_line(const Expectation& expected) {
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
-/// Rows about corners and knife edges of the model that leave room for no hexahedra along its first field:
-/// later attempts may fill the model all the same, then with poor hexahedra there as a rule.
-std::string risk_lines(const Answer& answer) {
-  std::string lines;
-  for (const Answer::Reason& reason : answer.reasons) {
-    const bool is_of_surface = reason.kind == ReasonKind::kKnifeEdge || reason.kind == ReasonKind::kCorner;
-    if (!is_of_surface || reason.verdict != Verdict::kNotMeshable) continue;
-    lines += fmt::format("risk       poor hexahedra, or no mesh, at {}", words_of_place(reason.place));
-    if (reason.count > 1) lines += fmt::format(" and at {}", counted(reason.count - 1, "other place"));
-    lines += fmt::format(": along the first field {}\n", reason.text);
-  }
-  return lines;
-}
-
 /// Throws if the initial field was clipped, because cells outside it would have poor initial frames.
 void check_start(const SolveArguments& arguments) {
   if (arguments.from.empty() || !is_clipped_field(arguments.from)) return;
@@ -206,11 +164,6 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
   result.glue = arguments.glue;
   result.unit = arguments.unit;
   return result;
-}
-
-/// Says on standard error what is written after a stop.
-void announce_stop(const std::string& what_is_written) {
-  print_message("interrupted: writing " + what_is_written + "; press Ctrl-C again to discard it");
 }
 
 struct Inputs {
@@ -252,27 +205,6 @@ struct Solved {
   std::shared_ptr<const Hexahedra> made;
 };
 
-/// The best mesh that there was at a stop, as the message about it says.
-std::string best_text(const HexReport& report) {
-  return fmt::format("the best mesh so far, {}, {}", counted(report.hexahedra, "hexahedron", "hexahedra"),
-                     name_of(report.outcome));
-}
-
-std::shared_ptr<const Hexahedra> made_hexahedra(const Job& job, const HexMeshingOptions& options) {
-  try {
-    auto made = std::make_shared<const Hexahedra>(
-        make_hexahedra(std::filesystem::path(job.arguments.model), options, job.monitor));
-    if (made->report().is_stopped) {
-      job.leave_line();
-      announce_stop(best_text(made->report()));
-    }
-    return made;
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kInterrupted || job.monitor.cancelled()) throw;
-    throw Error(ErrorKind::kInterrupted, "interrupted before there was a mesh; nothing is written");
-  }
-}
-
 /// Throws what reading a model says that is none. That comes before what its folder is called: of plate.png
 /// or plate.hexahedra the default one belongs to another model.
 void check_is_model(const std::string& model) {
@@ -285,25 +217,7 @@ void check_is_model(const std::string& model) {
 
 /// Makes hexahedra of the model.
 Solved meshed(const Job& job) {
-  const SolveArguments& arguments = job.arguments;
-  HexMeshingOptions options = hex_options(arguments);
-  options.on_warning = job.warn;
-  options.on_expected = [&](const HexExpectation& expected) {
-    if (arguments.quiet) return;
-    if (job.lines != nullptr) job.lines->expect(expected);
-    job.leave_line();
-    print_result(row("expected", sentence_of(expected)));
-  };
-  options.on_answer = [&](const Answer& answer) {
-    const std::string lines = risk_lines(answer);
-    if (arguments.quiet || lines.empty()) return;
-    job.leave_line();
-    print_result(lines);
-  };
-  options.on_attempt_end = [&](const HexAttemptEnd& end) {
-    if (job.lines != nullptr) job.lines->end_attempt(end);
-  };
-  const auto made = made_hexahedra(job, options);
+  const auto made = made_hexahedra(job);
   const FrameField& grid = made->field.grid();
   return {made->field.report().seconds.read, true, {grid, grid}, made->field, made};
 }
@@ -358,50 +272,6 @@ Solved solved(const Job& job) {
   Solved result = solve_inputs(job, inputs);
   result.read_seconds = read_seconds;
   return result;
-}
-
-/// What a run writes to its folder: it was checked before the work. What has appeared there since must not
-/// cost the result, unless it would be lost.
-OutputOptions output_options_for(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
-  OutputOptions options = job.arguments.output_options;
-  options.reservation = reservation;
-  if (options.foreign_files == ForeignFiles::kRefuse) options.foreign_files = ForeignFiles::kKeep;
-  return options;
-}
-
-/// Says whose result is replaced.
-void announce_replaced(const Job& job) {
-  const auto replaced = replaced_model(job.arguments);
-  if (!replaced || job.arguments.quiet) return;
-  job.leave_line();
-  print_message(job.arguments.output + ": the field of " + *replaced + " will be replaced");
-}
-
-/// Puts hexahedra that are given, or those of a lattice, onto the model and writes them.
-SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
-  job.monitor.report({Phase::kRead, 0, 0, 0, 0});
-  const auto on_end = [&](const HexAttemptEnd& end) {
-    if (job.lines != nullptr) job.lines->end_attempt(end);
-  };
-  FittedHexahedra fitted = job.arguments.lattice ? lattice_mesh(job.arguments, job.warn, on_end, job.monitor)
-                                                 : fitted_mesh(job.arguments, job.warn, job.monitor);
-  if (fitted.hexahedra().is_stopped) {
-    job.leave_line();
-    announce_stop(best_text(fitted.hexahedra()));
-  }
-  announce_replaced(job);
-  job.monitor.report({Phase::kWrite, 0, 0, 0, 0});
-  fitted.report.seconds.total = seconds_since(job.start);
-  return write_fitted(fitted, job.arguments.output, job.monitor, output_options_for(job, reservation));
-}
-
-/// Leaves out the formats of maps where hexahedra are those of a lattice, with a warning.
-void leave_out_maps(const Job& job, OutputOptions& options) {
-  const auto is_of_map = [](const std::string& name) { return name == "hexex" || name == "map"; };
-  if (std::erase_if(options.formats, is_of_map) == 0) return;
-  job.leave_line();
-  print_message(
-      "warning: no file of a map is written, since these are hexahedra of a lattice; see --map-only");
 }
 
 /// Solves, transfers the field to the tets if there are any, and writes all files.
