@@ -15,6 +15,7 @@ namespace crossgrain::app {
 namespace {
 
 constexpr const char* kFolderHelp = "The folder that 'crossgrain solve' or 'crossgrain hex' wrote";
+constexpr const char* kResultHelp = "The folder that 'crossgrain solve', 'hex' or 'fit' wrote";
 
 template <class T>
 void add_choice(CLI::App& command, const char* names, T& choice, std::map<std::string, T> choices,
@@ -280,7 +281,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
                "0 done; 2 wrong usage; 3 bad input; 4 the picture cannot be written; 130 Ctrl-C: nothing is "
                "written");
   PictureOptions& options = arguments.options;
-  add_argument(*command, "DIR", arguments.field, kFolderHelp);
+  add_argument(*command, "DIR", arguments.field, kResultHelp);
   add_value(*command, "-o,--output", arguments.output, "FILE",
             "PNG file to write (default: DIR-stem.png here)");
   add_field_choice(*command, arguments.choice);
@@ -333,26 +334,26 @@ CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
 }
 
 CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("check", "Says whether a hexahedral mesh can have the singular lines of a field");
+  CLI::App* command = app.add_subcommand(
+      "check", "Says how good hexahedra are, and whether they can have the singular lines of a field");
   add_examples(*command,
                "crossgrain check part.frames\n"
                "crossgrain check part.frames --json   # with the place of each line",
                "0 whatever the answer is; 2 wrong usage; 3 bad input");
-  add_argument(*command, "DIR", arguments.field, kFolderHelp);
+  add_argument(*command, "DIR", arguments.field, kResultHelp);
   command->add_flag("--json", arguments.json, "Print JSON");
   return command;
 }
 
 CLI::App* add_view(CLI::App& app, ViewArguments& arguments) {
   CLI::App* command =
-      app.add_subcommand("view", "Shows the page of a field in a browser on this machine, until Ctrl-C");
+      app.add_subcommand("view", "Shows the page of a result in a browser on this machine, until Ctrl-C");
   add_examples(*command,
                "crossgrain view part.frames\n"
                "crossgrain view part.frames --port 8080 --no-browser   # for another machine",
                "0 ended by Ctrl-C; 2 wrong usage; 3 bad input; 4 the port is taken");
   constexpr int kMostPort = 65535;
-  add_argument(*command, "DIR", arguments.folder, kFolderHelp);
+  add_argument(*command, "DIR", arguments.folder, kResultHelp);
   add_number(*command, "--port", arguments.port, "N", 1, kMostPort,
              "Port on 127.0.0.1 (default: a free one)");
   command->add_flag("--no-browser", arguments.no_browser,

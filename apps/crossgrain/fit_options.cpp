@@ -17,7 +17,6 @@ CLI::App* add_fit(CLI::App& app, SolveArguments& arguments) {
       "the model: the best mesh is written; 7 they fill it, but lack features or are off its surface; 130 "
       "Ctrl-C: the best so far is written, if there is one");
   arguments.hexahedra.emplace();
-  arguments.page = false;
   add_argument(*command, "MESH", arguments.mesh,
                "Hexahedra alone, in a Medit .mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu or Abaqus .inp file "
                "(any of them also as .gz), or in the folder of a result");
@@ -39,6 +38,7 @@ CLI::App* add_fit(CLI::App& app, SolveArguments& arguments) {
                  "container)");
   add_outcomes(*command, arguments);
   add_quiet(*command, arguments.quiet, arguments.progress);
+  add_page(*command, arguments);
   return command;
 }
 

@@ -9,6 +9,7 @@
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/message.hpp"
+#include "crossgrain/page.hpp"
 #include "crossgrain/place.hpp"
 #include "fit_command.hpp"
 #include "messages.hpp"
@@ -91,7 +92,9 @@ SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservatio
   announce_replaced(job);
   job.monitor.report({Phase::kWrite, 0, 0, 0, 0});
   fitted.report.seconds.total = seconds_since(job.start);
-  return write_fitted(fitted, job.arguments.output, job.monitor, output_options_for(job, reservation));
+  OutputOptions options = output_options_for(job, reservation);
+  if (job.arguments.page) options.companion = page_of(fitted);
+  return write_fitted(fitted, job.arguments.output, job.monitor, options);
 }
 
 void leave_out_maps(const Job& job, OutputOptions& options) {

@@ -74,12 +74,16 @@ void add_outcomes(CLI::App& command, SolveArguments& arguments) {
       ->check([](const std::string& text) { return fault_of_choice(text, {"approximate"}); });
 }
 
+void add_page(CLI::App& command, SolveArguments& arguments) {
+  command.add_flag("!--no-report", arguments.page,
+                   "Write no report.html, the page that shows the result; report.json is always written");
+}
+
 void add_talk(CLI::App& command, SolveArguments& arguments) {
   add_quiet(command, arguments.quiet, arguments.progress);
   command.add_flag("--verbose", arguments.verbose,
                    "Print all numbers of the result: tets, cells, repair, map; report.json always has them");
-  command.add_flag("!--no-report", arguments.page,
-                   "Write no report.html, the page that shows the field; report.json is always written");
+  add_page(command, arguments);
 }
 
 }  // namespace crossgrain::app

@@ -23,6 +23,9 @@ void add_formats(CLI::App& command, OutputOptions& options, bool has_map);
 /// What is written of hexahedra that are inverted, and which exit code approximate ones have.
 void add_outcomes(CLI::App& command, SolveArguments& arguments);
 
+/// Whether a page is written.
+void add_page(CLI::App& command, SolveArguments& arguments);
+
 /// What is printed, and whether a page is written.
 void add_talk(CLI::App& command, SolveArguments& arguments);
 

@@ -183,10 +183,11 @@ std::string files_row(const SolveReport& report, const SolveArguments& arguments
   if (is_of_field) {
     names = result_files(arguments.output_options, report);
   } else {
-    for (const ResultInventory::File& file : report.files) names.push_back(file.name);
+    for (const ResultInventory::File& file : report.files)
+      if (file.name != kPageFile) names.push_back(file.name);
     names.push_back("report.json");
   }
-  if (arguments.page && is_of_field) names.insert(names.begin(), kPageFile);
+  if (arguments.page) names.insert(names.begin(), kPageFile);
   for (std::string& name : names)
     if (name == kCellsFile && is_in_pieces(arguments.output)) name = kPiecesFile;
   return row("files", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
@@ -309,6 +310,13 @@ bool are_whole_but_apart(const HexReport& hexahedra) {
          hexahedra.crowded_faces == 0 && hexahedra.quality.inverted == 0;
 }
 
+/// The result with warnings, and where faces are numbered.
+std::string result_rows(const SolveReport& report, const SolveArguments& arguments) {
+  std::string text = report.hexahedra ? hexahedra_rows(report, arguments) : field_rows(report, arguments);
+  text += warning_rows(report, arguments);
+  return text + faces_row(text, report, arguments);
+}
+
 }  // namespace
 
 Command command_of(const SolveArguments& arguments) {
@@ -347,10 +355,18 @@ std::string sentence_of(const HexExpectation& expected) {
   return text + fmt::format(", since {:.3g} makes {}", dropped, dropped_tets);
 }
 
+std::string rows_of_mesh(const SolveReport& report, const std::string& folder) {
+  SolveArguments arguments;
+  arguments.model = report.model.path;
+  arguments.output = folder;
+  arguments.hexahedra.emplace();
+  if (report.hexahedra->attempts.empty()) arguments.mesh = folder;  // they were given
+  arguments.page = std::ranges::any_of(report.files, [](const auto& file) { return file.name == kPageFile; });
+  return result_rows(report, arguments);
+}
+
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
-  std::string text = report.hexahedra ? hexahedra_rows(report, arguments) : field_rows(report, arguments);
-  text += warning_rows(report, arguments);
-  text += faces_row(text, report, arguments);
+  std::string text = result_rows(report, arguments);
   if (arguments.verbose) text += detail_rows(report);
   text += files_row(report, arguments);
   if (report.hexahedra) text += missing_row(report, arguments);

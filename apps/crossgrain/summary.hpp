@@ -18,6 +18,10 @@ namespace crossgrain::app {
 /// list.
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments);
 
+/// Returns the rows of `hex` and `fit` about the hexahedra in a folder: outcome, shapes, fit, features, way,
+/// warnings and where faces are numbered.
+std::string rows_of_mesh(const SolveReport& report, const std::string& folder);
+
 /// Returns the command whose arguments these are: `solve`, `hex` or `fit`.
 Command command_of(const SolveArguments& arguments);
 

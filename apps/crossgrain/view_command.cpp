@@ -39,8 +39,7 @@ void check_folder(const std::filesystem::path& folder) {
     throw Error(
         ErrorKind::kInput,
         {folder.string(), "",
-         fmt::format("has no {}: draw it with 'crossgrain render', or make it again without --lattice or "
-                     "--no-report",
+         fmt::format("has no {}: draw it with 'crossgrain render', or make it again without --no-report",
                      kPageName)});
 }
 

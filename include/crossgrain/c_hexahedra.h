@@ -97,8 +97,7 @@ crossgrain_status crossgrain_hexahedra_write(const crossgrain_hexahedra* hexahed
                                              crossgrain_error** error);
 
 /** Writes the folder that `crossgrain hex` writes: the field on tets and the mesh in all formats; or
- * that of `crossgrain fit`. Arguments as of crossgrain_field_write; hexahedra without a field have no page.
- */
+ * that of `crossgrain fit`. Arguments as of crossgrain_field_write. */
 crossgrain_status crossgrain_hexahedra_write_folder(const crossgrain_hexahedra* hexahedra, const char* folder,
                                                     const crossgrain_options* options, const char* model,
                                                     double read_seconds, crossgrain_monitor* monitor,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/monitor.hpp"
@@ -43,10 +44,14 @@ struct HexFitOptions {
   std::function<void(const Warning& warning)> on_warning = {};
 };
 
+/// The surface of a model, for display.
+struct SolvedSurface;
+
 /// Hexahedra that were put onto a model.
 struct FittedHexahedra {
   HexMesh mesh;
   SolveReport report;  ///< of the model, its faces and the hexahedra; there is no field
+  std::shared_ptr<const SolvedSurface> surface = {};  ///< of the model, for `page_of`
 
   const HexReport& hexahedra() const { return *report.hexahedra; }
 };
@@ -76,8 +81,8 @@ FittedHexahedra fit_hexahedra(const HexMesh& mesh, const TriangleMesh& surface,
 
 /// Writes hexahedra.vtu, .mesh, .msh and .inp (of a partial mesh hexahedra.partial.vtu and so on), and
 /// report.json, to a folder, which `read_hexahedra` reads. As `write_field` does: all files or none, in place
-/// of those of an earlier result, with the options about hexahedra and foreign files; others do not matter.
-/// Returns the report as written. Throws Error(kOutput) and Error(kInterrupted).
+/// of those of an earlier result, with the options about hexahedra, companion and foreign files; others do
+/// not matter. Returns the report as written. Throws Error(kOutput) and Error(kInterrupted).
 SolveReport write_fitted(const FittedHexahedra& fitted, const std::filesystem::path& folder,
                          const Monitor& monitor = {}, const OutputOptions& options = {});
 

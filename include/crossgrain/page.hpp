@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/hex_fit.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/result_folder.hpp"
@@ -32,6 +33,10 @@ CompanionFile page_of(const FrameField& field);
 /// tets, with the grid from which it started to choose instead. Unless they are null, the page shows
 /// hexahedra first, at most kMostHexahedraOfPage: of a larger mesh those at its surface, then the worst.
 CompanionFile page_of(const TetFrameField& field, std::shared_ptr<const HexMesh> hexahedra = nullptr);
+
+/// The page of hexahedra without a field, likewise, with the surface of their model; they must live until it
+/// is written. Throws Error(kUsage) without FittedHexahedra::surface.
+CompanionFile page_of(const FittedHexahedra& fitted);
 
 /// Writes the page as a single HTML file that needs no other. The file appears complete or not at all.
 /// Errors: kUsage for a name that ends in anything but .html or .htm, if in anything; kInput for a field

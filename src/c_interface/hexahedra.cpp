@@ -221,7 +221,7 @@ crossgrain_status crossgrain_hexahedra_write_folder(const crossgrain_hexahedra* 
     const crossgrain_hexahedra::Made& made = given(hexahedra, "hexahedra").made;
     if (const auto* fitted = std::get_if<FittedHexahedra>(&made)) {
       const SolveReport report = write_fitted(*fitted, &given(folder, "folder"), monitor_of(monitor),
-                                              options_or_defaults<OutputChoices>(options));
+                                              output_options_for(*fitted, options));
       if (json != nullptr) *json = copy_of(report_json(report));
       return;
     }

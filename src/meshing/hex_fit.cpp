@@ -17,6 +17,7 @@
 #include "hex/model_fit.hpp"
 #include "hex/model_fitting.hpp"
 #include "meshing/read_model.hpp"
+#include "meshing/shown_surface.hpp"
 #include "surface/model_faces.hpp"
 
 namespace crossgrain {
@@ -46,7 +47,7 @@ FittedHexahedra fitted_to(const HexMesh& mesh, const Read& read, const HexFitOpt
   if (options.on_warning)
     for (const Warning& warning : model.warnings) options.on_warning(warning);
   check_same_place(mesh, model.model);
-  FittedHexahedra fitted{mesh, {}};
+  FittedHexahedra fitted{mesh, {}, shown_surface(model.model.features)};
   SolveReport& report = fitted.report;
   report.model = std::move(model.description);
   report.faces = std::move(model.faces);

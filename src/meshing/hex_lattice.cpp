@@ -18,6 +18,7 @@
 #include "hex/model_fit.hpp"
 #include "meshing/asked_hexahedra.hpp"
 #include "meshing/read_model.hpp"
+#include "meshing/shown_surface.hpp"
 #include "surface/searchable_surface.hpp"
 
 namespace crossgrain {
@@ -74,6 +75,7 @@ FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& optio
                           ? options.hexahedra.size
                           : longest_side(model.description.bounding_box) / options.hexahedra.cells;
   LatticeHexahedra found = lattice_hexahedra(model.model, size, monitor, options.on_attempt_end);
+  made.surface = shown_surface(model.model.features);
   report.model = std::move(model.description);
   report.faces = std::move(model.faces);
   report.warnings = std::move(model.warnings);

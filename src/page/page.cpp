@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/writing.hpp"
 #include "files/file_mark.hpp"
 #include "files/file_seal.hpp"
@@ -109,6 +110,12 @@ CompanionFile page_of(const TetFrameField& field, std::shared_ptr<const HexMesh>
   return page_with([field, hexahedra = std::move(hexahedra)](const Monitor& monitor) {
     return page_scene(field, hexahedra.get(), monitor);
   });
+}
+
+CompanionFile page_of(const FittedHexahedra& fitted) {
+  if (!fitted.surface)
+    throw Error(ErrorKind::kUsage, "hexahedra without the surface of a model have no page");
+  return page_with([&fitted](const Monitor& monitor) { return page_scene(fitted, monitor); });
 }
 
 void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor) {

@@ -37,15 +37,16 @@ void add_creases(const SolvedSurface& surface, const Vector3& origin, SceneWrite
   creases.write(scene, "crease_points", "crease_starts");
 }
 
-/// Adds the face of each triangle that is drawn of `outside`.
-void add_faces(const ShownField& field, const SolvedSurface& outside, const DrawnSurface& drawn,
-               SceneWriter& scene) {
-  std::vector<std::int32_t> faces = faces_of(field);
+using Searched = std::function<std::shared_ptr<const SearchableSurface>()>;
+
+/// Adds the face of each triangle that is drawn of `outside`, given those of the surface that is searched.
+void add_faces(std::vector<std::int32_t> faces, const Searched& searched, const SolvedSurface& outside,
+               const DrawnSurface& drawn, SceneWriter& scene) {
   if (!faces.empty() && drawn.vertices.size() != 3 * faces.size()) {
     std::vector<std::array<std::uint32_t, 3>> triangles(drawn.vertices.size() / 3);
     for (std::size_t k = 0; k < drawn.vertices.size(); ++k)
       triangles[k / 3][k % 3] = drawn.originals[drawn.vertices[k]];
-    faces = faces_near(*field.searchable(), faces, outside.vertices, triangles);
+    faces = faces_near(*searched(), faces, outside.vertices, triangles);
   }
   scene.add("surface_face", 1, column<std::uint32_t>(faces, [](std::int32_t face) { return face; }));
 }
@@ -113,6 +114,14 @@ void add_corner_numbers(const ShownField& field, SceneWriter& scene) {
   scene.add("corner_energy_density", 8, values(energies));
 }
 
+/// The axis of the largest of the areas that cuts across x, y and z show.
+std::size_t widest_of(std::array<double, 3> areas) {
+  // A view of a cut from the front is the most familiar: it is preferred to others that show about as much.
+  constexpr double kFrontFirst = 1.15;
+  areas[1] *= kFrontFirst;
+  return static_cast<std::size_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
+}
+
 /// The axis across which the middle cut shows most of the part.
 std::size_t widest_cut(const FieldData& field, const Box& box) {
   const Vector3 middle = 0.5 * (box.low + box.high);
@@ -126,10 +135,23 @@ std::size_t widest_cut(const FieldData& field, const Box& box) {
       if (low <= middle[axis] && middle[axis] < low + size) areas[axis] += size * size;
     }
   }
-  // A view of a cut from the front is the most familiar: it is preferred to others that show about as much.
-  constexpr double kFrontFirst = 1.15;
-  areas[1] *= kFrontFirst;
-  return static_cast<std::size_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
+  return widest_of(areas);
+}
+
+/// The same of hexahedra, about: by the boxes around them.
+std::size_t widest_cut(const HexMesh& mesh, const Box& box) {
+  const Vector3 middle = 0.5 * (box.low + box.high);
+  std::array<double, 3> areas{};
+  for (const auto& hexahedron : mesh.hexahedra) {
+    std::vector<Vector3> corners;
+    for (const std::uint32_t vertex : hexahedron) corners.push_back(mesh.vertices[vertex]);
+    const Box around = box_of(corners);
+    const Vector3 sides = around.high - around.low;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (around.low[axis] <= middle[axis] && middle[axis] < around.high[axis])
+        areas[axis] += sides[(axis + 1) % 3] * sides[(axis + 2) % 3];
+  }
+  return widest_of(areas);
 }
 
 /// The field on the grid with at most so many cells.
@@ -146,15 +168,16 @@ FrameField reduced(const FrameField& field, std::size_t most, const Monitor& mon
 /// What is in every scene. The axis of the first cut is in the header.
 class PageScene {
  public:
-  PageScene(const FieldData& grid, const Monitor& monitor)
-      : box_(grid.report.model.bounding_box),
-        origin_(0.5 * (box_.low + box_.high)),
-        first_cut_(widest_cut(grid, box_)),
+  /// `subject` is what the first cut is to show most of.
+  template <class Subject>
+  PageScene(const SolveReport::Model& model, const Subject& subject, const Monitor& monitor)
+      : origin_(0.5 * (model.bounding_box.low + model.bounding_box.high)),
+        first_cut_(widest_cut(subject, model.bounding_box)),
         monitor_(monitor) {
     scene_.header["origin"] = origin_;
-    scene_.header["unit"] = grid.report.model.unit;
-    scene_.header["low"] = box_.low - origin_;
-    scene_.header["high"] = box_.high - origin_;
+    scene_.header["unit"] = model.unit;
+    scene_.header["low"] = model.bounding_box.low - origin_;
+    scene_.header["high"] = model.bounding_box.high - origin_;
     scene_.header["first_cut"] = std::string(1, "xyz"[first_cut_]);
   }
 
@@ -180,12 +203,25 @@ class PageScene {
     return scene_.bytes();
   }
 
+  std::string of_hexahedra(const HexMesh& hexahedra, const SolvedSurface& surface) {
+    add_outside(surface, surface, surface.faces, [&] { return searchable(surface); });
+    add_hexahedra(hexahedra, origin_, kMostHexahedraOfPage, scene_);
+    return scene_.bytes();
+  }
+
  private:
-  DrawnSurface add_outside(const ShownField& field, const SolvedSurface& outside) {
-    DrawnSurface drawn = add_surface(field.surface(), outside, origin_, "", kMostTriangles, scene_);
-    add_faces(field, outside, drawn, scene_);
-    add_creases(field.surface(), origin_, scene_);
+  DrawnSurface add_outside(const SolvedSurface& surface, const SolvedSurface& outside,
+                           std::vector<std::int32_t> faces, const Searched& searched) {
+    DrawnSurface drawn = add_surface(surface, outside, origin_, "", kMostTriangles, scene_);
+    add_faces(std::move(faces), searched, outside, drawn, scene_);
+    add_creases(surface, origin_, scene_);
     monitor_.check();
+    return drawn;
+  }
+
+  DrawnSurface add_outside(const ShownField& field, const SolvedSurface& outside) {
+    DrawnSurface drawn =
+        add_outside(field.surface(), outside, faces_of(field), [&] { return field.searchable(); });
     add_singularities(field, origin_, "", scene_);
     return drawn;
   }
@@ -217,7 +253,6 @@ class PageScene {
     add_forms(field.data().kept_forms, shown.data(), scene_);
   }
 
-  Box box_;
   Vector3 origin_;
   std::size_t first_cut_;
   const Monitor& monitor_;
@@ -227,11 +262,16 @@ class PageScene {
 }  // namespace
 
 std::string page_scene(const FrameField& field, const Monitor& monitor) {
-  return PageScene(field.data(), monitor).of_grid(field);
+  return PageScene(field.data().report.model, field.data(), monitor).of_grid(field);
 }
 
 std::string page_scene(const TetFrameField& field, const HexMesh* hexahedra, const Monitor& monitor) {
-  return PageScene(field.grid().data(), monitor).of_tets(field, hexahedra);
+  const FieldData& grid = field.grid().data();
+  return PageScene(grid.report.model, grid, monitor).of_tets(field, hexahedra);
+}
+
+std::string page_scene(const FittedHexahedra& fitted, const Monitor& monitor) {
+  return PageScene(fitted.report.model, fitted.mesh, monitor).of_hexahedra(fitted.mesh, *fitted.surface);
 }
 
 }  // namespace crossgrain

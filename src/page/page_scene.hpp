@@ -4,6 +4,7 @@
 #include <string>
 
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/hex_fit.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/page.hpp"
@@ -20,5 +21,8 @@ std::string page_scene(const FrameField& field, const Monitor& monitor = {});
 /// are null.
 std::string page_scene(const TetFrameField& field, const HexMesh* hexahedra = nullptr,
                        const Monitor& monitor = {});
+
+/// Likewise of hexahedra without a field: no cells, tets, arcs and streamlines.
+std::string page_scene(const FittedHexahedra& fitted, const Monitor& monitor = {});
 
 }  // namespace crossgrain

@@ -9,6 +9,7 @@ import numpy as np
 
 from hex_judge import judged
 from hex_judge_test import disc_points
+from page_reader import Page
 from program import CommandTest, box_triangles, stl_bytes
 
 USAGE, INPUT, PARTIAL, APPROXIMATE = 2, 3, 6, 7
@@ -91,11 +92,15 @@ class Fitted(FitTest):
         self.assertRegex(result.stdout, r"(?m)^hexahedra  all-hex: 240 of 0\.5$")
         self.assertRegex(result.stdout, r"(?m)^features   8 of 8 corners, 12 of 12 creases, 6 of 6 faces kept$")
         self.assertRegex(result.stdout, r"(?m)^way        fitted to the model$")
-        self.assertRegex(result.stdout, r"(?m)^files      fitted: hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
+        self.assertRegex(result.stdout, r"(?m)^files      fitted: report.html, hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
         verdict = self.judged("box.stl")
         self.assertEqual(verdict.outcome, "all_hex", verdict.reasons)
         self.assertEqual(verdict.figures["creases"]["kept"], 12)
         self.assertEqual(self.report()["fit_tries"][0]["way"], "as_mapped")
+        page = Page(self.folder / "fitted" / "report.html")
+        self.assertEqual(page.header["hexahedra"]["total"], 240)
+        self.assertEqual(set(page.arrays["surface_face"]), set(range(1, 7)))
+        self.assertIn(result.stdout.split("\n")[1], self.run_here("check", "fitted").stdout)
 
     def test_hexahedra_that_are_inverted_are_untangled(self):
         self.write("box.stl", stl_bytes(slanted_box()))

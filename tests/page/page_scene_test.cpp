@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "crossgrain/error.hpp"
+#include "crossgrain/page.hpp"
 #include "crossgrain/solve.hpp"
+#include "field/solved_surface.hpp"
 #include "measure/made_tets.hpp"
 #include "mesh_files/made_bricks.hpp"
 #include "page/scene_hexahedra.hpp"
@@ -212,6 +216,46 @@ TEST(PageScene, HasHexahedraBesideTheirFieldAndElseNothingOfThem) {
   EXPECT_FALSE(header_of(page_scene(field_on_tets())).contains("hexahedra"));
   const HexMesh none;
   EXPECT_FALSE(header_of(page_scene(field_on_tets(), &none)).contains("hexahedra"));
+}
+
+/// Bricks in a box of 2 x 2 x 4, with its surface.
+FittedHexahedra bricks_in_a_box() {
+  TriangleMesh box = make_box({2, 2, 4});
+  FittedHexahedra fitted{made_bricks({2, 2, 4}, {2, 2, 4}), {}, {}};
+  fitted.report.model.bounding_box = {{0, 0, 0}, {2, 2, 4}};
+  SolvedSurface surface{box.vertices, box.triangles, {{{0, 0, 0}, {2, 0, 0}}}};
+  for (std::size_t k = 0; k < box.triangles.size(); ++k)
+    surface.faces.push_back(static_cast<std::int32_t>(k / 2 + 1));
+  fitted.surface = std::make_shared<const SolvedSurface>(std::move(surface));
+  return fitted;
+}
+
+TEST(PageScene, OfHexahedraWithoutAFieldHasTheSurfaceOfTheirModelAndNoCells) {
+  const std::string bytes = page_scene(bricks_in_a_box());
+  const nlohmann::json header = header_of(bytes);
+  for (const char* name : {"cells", "tets", "regions"}) EXPECT_FALSE(header.contains(name)) << name;
+  for (const char* name : {"cell_corner", "tet_corners", "arc_points", "streamline_points", "form_cell"})
+    EXPECT_FALSE(header["arrays"].contains(name)) << name;
+  EXPECT_EQ(header["hexahedra"]["total"], 16);
+  EXPECT_EQ(header["origin"], (nlohmann::json{1, 1, 2}));
+  EXPECT_EQ(header["surface"]["triangles_shown"], 12);
+  EXPECT_EQ(header["arrays"]["crease_starts"]["shape"][0], 2);
+  EXPECT_EQ(numbers_in(bytes, "surface_face"),
+            (std::vector<std::uint32_t>{1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6}));
+}
+
+TEST(PageScene, OfHexahedraBeginsWithTheCutThatShowsMost) {
+  EXPECT_EQ(header_of(page_scene(bricks_in_a_box()))["first_cut"], "y");
+  FittedHexahedra flat{made_bricks({4, 4, 1}, {4, 4, 1}), {}, bricks_in_a_box().surface};
+  flat.report.model.bounding_box = {{0, 0, 0}, {4, 4, 1}};
+  EXPECT_EQ(header_of(page_scene(flat))["first_cut"], "z");
+}
+
+TEST(PageScene, OfHexahedraNeedsTheSurfaceOfTheirModel) {
+  FittedHexahedra fitted = bricks_in_a_box();
+  EXPECT_EQ(page_of(fitted).name, kPageFile);
+  fitted.surface.reset();
+  EXPECT_THROW(page_of(fitted), Error);
 }
 
 TEST(PageScene, OfTetsIsTheSameForTheSameField) {

@@ -113,7 +113,7 @@ test("sizes, numbers, worst hexahedron, fit, way and files stand beside what was
   assert.equal(await text("number-size"), "3.33 mm\nnot 4 mm");
   assert.equal(await text("number-hexahedra"), "432\nabout 250 expected");
   assert.match(await text("number-worst"), /^−1, inverted\nof hexahedron 1, 0\.99 in the mean$/);
-  assert.equal(await text("mesh-fit"), "volume −0.12 %, area +0.2 % of the CAD model; mesh up to 0.13 mm off the surface, surface up to 0.1 mm from the mesh");
+  assert.equal(await text("mesh-fit"), "volume −0.12 %, area +0.2 % of the CAD model; surface up to 0.1 mm from the mesh, mesh up to 0.13 mm off the surface");
   assert.equal(await text("mesh-way"), "attempt 1 of 2: field on 8748 tets of 2, repaired");
   assert.equal(await text("mesh-files"), "hexahedra.partial.vtu, hexahedra.hexex");
   // What is rounding is said to be nothing.

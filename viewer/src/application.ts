@@ -5,7 +5,7 @@ import type { Theme } from "./math/color_maps.ts";
 import { subtract, type Vector } from "./math/frame.ts";
 import { faces_of_model, facing_of, point_of, triangles_of_face, type ModelFace } from "./scene/faces.ts";
 import { faults_of, is_drawn_anyway, of_starting_grid } from "./scene/faults.ts";
-import type { Report } from "./scene/report.ts";
+import { has_field, is_of_lattice, type Report } from "./scene/report.ts";
 import { cell_box, element_center, type Scene } from "./scene/scene.ts";
 import { cut_normal, SettingsStore, type CutAxis, type FieldName, type Settings, type UpAxis } from "./settings.ts";
 import type { FaultMark } from "./view/line_marks.ts";
@@ -45,6 +45,7 @@ const is_narrow = (): boolean => matchMedia("(max-width: 799px)").matches;
 export class Application implements Commands {
   readonly store = new SettingsStore();
   readonly stage: Stage;
+  readonly follows_field: boolean;
   private readonly follow: (settings: Settings) => void;
   private readonly keyboard: Keyboard;
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
@@ -61,13 +62,16 @@ export class Application implements Commands {
     const canvas = by_id("view") as HTMLCanvasElement;
     const marks_of = (field: FieldName): FaultMark[] => faults_of(field === "grid" ? of_starting_grid(report) : report)
       .filter((fault) => !is_drawn_anyway(fault)).map(({ place, verdict }) => ({ point: subtract(place, scene.origin), verdict }));
-    this.stage = new Stage(scene, marks_of, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
+    // Without a field nothing was found in the input.
+    const closed = (has_field(report) ? report.input?.closed : undefined) ?? report.model?.watertight ?? false;
+    this.stage = new Stage(scene, marks_of, canvas, context, closed, this.store.current);
+    this.follows_field = scene.has_field && !is_of_lattice(report);
     const axis = scene.first_cut ?? widest_cut(scene);
     // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
     this.store.change({ cut: { axis, flip: axis === "y" } });
-    this.follow = make_controls(by_id("panel-view"), this.store, scene, { cut: (on) => this.cut(on), cut_across: (axis) => this.cut_across(axis), turn_up: (up) => this.turn_up(up) });
+    this.follow = make_controls(by_id("panel-view"), this.store, scene, this.follows_field, { cut: (on) => this.cut(on), cut_across: (axis) => this.cut_across(axis), turn_up: (up) => this.turn_up(up) });
     this.faces = faces_of_model(report, scene);
-    this.places = apart([...mesh_places(report, scene, scene.origin), ...places_of_answer(report, scene.origin), ...input_groups(report, scene.origin).flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))]);
+    this.places = apart([...mesh_places(report, scene, scene.origin), ...(is_of_lattice(report) ? [] : places_of_answer(report, scene.origin)), ...input_groups(report, scene.origin).flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))]);
     by_id("panel-field").replaceChildren(...report_blocks(report, this.faces, { scene, go: (place) => this.visit(place), show_face: (face) => this.show_face(face) }));
     this.picked = new PickedPanel(report, this.faces, this.stage, tabs, {
       show_hexahedron: (hexahedron) => this.show_alone(hexahedron), show_face: (face) => this.show_face(face), clear: () => this.clear(),
@@ -79,7 +83,7 @@ export class Application implements Commands {
     this.stage.onmove = () => this.moved();
     this.store.subscribe((settings) => this.apply(settings));
     this.dark.addEventListener("change", () => this.apply(this.store.current));
-    canvas.setAttribute("aria-label", `${by_id("part-name").textContent} with its singular lines and the frames on a cut`);
+    canvas.setAttribute("aria-label", `${by_id("part-name").textContent} ${scene.hexahedra ? "in hexahedra, cut" : "with its singular lines and the frames on a cut"}`);
     // A phone has no room for the legend until it is asked for.
     if (is_narrow()) by_id("legend").removeAttribute("open");
     this.expose();
@@ -171,9 +175,9 @@ export class Application implements Commands {
     // A click on the one that is shown alone keeps it so; beside it all are shown again.
     const stays = solid && alone && element === before;
     this.store.change({ picked: solid ? -1 : element, hexahedron: solid ? element : -1, face, alone: stays, ...(alone && !stays ? { marked: null } : {}) });
-    if (element < 0) this.announce("Nothing there.");
+    if (element < 0 && !face) this.announce("Nothing there.");
     else {
-      this.announce(`${this.words_of(element)}${face ? `, on ${face_title(this.picked.face(face.number))}` : ""}.`);
+      this.announce(`${[...(element < 0 ? [] : [this.words_of(element)]), ...(face ? [face_title(this.picked.face(face.number))] : [])].join(", on ")}.`);
       if (!is_narrow() || this.tabs.is_open()) this.tabs.select("cell");
     }
     return element;
@@ -331,6 +335,7 @@ export class Application implements Commands {
     const { layers, alone, hexahedron } = this.store.current;
     if (hexahedra && layers.hexahedra && alone && hexahedron >= 0) return "One hexahedron, with those around it faintly.";
     if (hexahedra && layers.hexahedra) return hexahedra_shown(this.shown.hexahedra!, hexahedra.count);
+    if (!this.scene.has_field) parts.push("The surface of the model.");
     if (tets) parts.push(`The field on ${plural(tets.corners.length / 4, "tet")}.`);
     else if (tet_counts) parts.push(`The field on ${plural(tet_counts.total, "tet")}; the cut shows the frames of those at the centres of ${plural(cells.shown, "cell")}.`);
     else if (this.scene.tets) parts.push(`The grid of ${plural(cells.total, "cell")} from which the field on the tets started; the answer is about the tets.`);

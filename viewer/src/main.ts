@@ -2,7 +2,7 @@
 // Opens the page: the report's numbers first, which need no WebGL, then the scene.
 
 import { embedded_report, embedded_scene } from "./scene/embedded.ts";
-import type { Report } from "./scene/report.ts";
+import { has_field, type Report } from "./scene/report.ts";
 import { Application } from "./application.ts";
 import { view_context } from "./view/view_context.ts";
 import { faces_of_model } from "./scene/faces.ts";
@@ -37,10 +37,13 @@ async function open(): Promise<void> {
   const report = embedded_report();
   let tabs_changed = (): void => {};
   const tabs = new Tabs(() => tabs_changed());
-  show_no_cell(by_id("panel-cell"));
+  show_no_cell(by_id("panel-cell"), report?.hexahedra !== undefined);
   if (!report) return say_instead_of_view("This page contains no field yet; `crossgrain solve` writes pages with one.");
   show_report(report);
-  if (report.hexahedra) tabs.rename("field", "Mesh");
+  if (report.hexahedra) {
+    tabs.rename("field", "Mesh");
+    tabs.rename("cell", "Hexahedron");
+  }
   // The numbers are on the screen before the scene is unpacked, which goes on while the context is made.
   await new Promise((resolve) => setTimeout(resolve, 0));
   const unpacked = embedded_scene();
@@ -48,7 +51,7 @@ async function open(): Promise<void> {
   const context = view_context(by_id("view") as HTMLCanvasElement);
   const scene = await unpacked;
   if (!context) {
-    return say_instead_of_view("The 3D view needs WebGL 2, which this browser lacks: use another browser, or switch graphics acceleration on. The numbers of the field are shown here.");
+    return say_instead_of_view(`The 3D view needs WebGL 2, which this browser lacks: use another browser, or switch graphics acceleration on. The numbers of the ${has_field(report) ? "field" : "mesh"} are shown here.`);
   }
   const application = new Application(scene, report, tabs, context);
   tabs_changed = () => application.panels_changed();
@@ -56,7 +59,7 @@ async function open(): Promise<void> {
 }
 
 const ready = open().catch((error: unknown) => {
-  say_instead_of_view(`The field could not be shown: ${error instanceof Error ? error.message : String(error)}`);
+  say_instead_of_view(`This page could not be shown: ${error instanceof Error ? error.message : String(error)}`);
   throw error;
 });
 (window as unknown as { crossgrain: object }).crossgrain = Object.assign((window as unknown as { crossgrain?: object }).crossgrain ?? {}, { ready });

@@ -76,6 +76,23 @@ export interface Warning {
   advice?: string;
 }
 
+interface Kept {
+  all: number;
+  kept: number;
+}
+
+/** What a mesh keeps of its model; distances in sizes of hexahedra. */
+export interface HexFeatures {
+  corners: Kept;
+  creases: Kept;
+  faces: Kept;
+  of_mesh?: { largest_in_all: number };
+  of_model?: { largest_in_all: number };
+  lacking?: { kind: string; number?: number; place: Vector; figure: number; share: number }[];
+  too_small?: object[];
+  small?: number;
+}
+
 /** Of hexahedra that were made. */
 export interface HexReport {
   outcome: string;
@@ -108,6 +125,11 @@ export interface HexReport {
   is_stopped?: boolean;
   /** Which attempt made it. */
   way?: string;
+  /** Why no map was taken, where it is of a lattice and maps were tried. */
+  map_fault?: string;
+  attempts?: { kind: string }[];
+  best_attempt?: number;
+  features?: HexFeatures;
 }
 
 /** A face of the model. */
@@ -147,6 +169,12 @@ export interface Report {
   files?: { name: string }[];
   warnings?: Warning[];
 }
+
+/** Whether the mesh is of a lattice, which follows no field. */
+export const is_of_lattice = ({ hexahedra }: Report): boolean => hexahedra?.attempts?.[hexahedra.best_attempt ?? 0]?.kind === "lattice";
+
+/** Whether there is a field: of hexahedra that are given, or of a lattice alone, there is none. */
+export const has_field = ({ hexahedra, levels }: Report): boolean => !hexahedra || levels?.length !== 0;
 
 /** The singular lines that the answer is about: those on the tets, if there are tets. */
 export const judged_lines = (report: Report): Singularity | undefined => report.onto?.singularity ?? report.singularity;

@@ -47,6 +47,8 @@ export interface Scene extends Outside {
   high: Vector;
   /** The axis of the cut that the page begins with. */
   first_cut: "x" | "y" | "z" | null;
+  /** Whether there is a field: of hexahedra without one, what concerns fields is empty. */
+  has_field: boolean;
   cells: { low: Vector; unit: number; total: number; shown: number; merged_to: number | null };
   /** Of a field on tets: how many there are, and how many of them are here; none if cells stand for them. */
   tet_counts: { total: number; shown: number } | null;
@@ -100,7 +102,7 @@ interface Header {
   low: Vector;
   high: Vector;
   first_cut?: "x" | "y" | "z";
-  cells: Scene["cells"];
+  cells?: Scene["cells"];
   tets?: { total: number; shown: number };
   hexahedra?: { total: number; shown: number; inverted: number; mean: number };
   regions?: number[];
@@ -138,7 +140,8 @@ export function decode_scene(bytes: Uint8Array<ArrayBuffer>): Scene {
     low: header.low,
     high: header.high,
     first_cut: header.first_cut ?? null,
-    cells: header.cells,
+    has_field: header.cells !== undefined,
+    cells: header.cells ?? { low: header.low, unit: Math.max(...header.high.map((high, k) => high - header.low[k])), total: 0, shown: 0, merged_to: null },
     tet_counts: header.tets ?? null,
     tets: null,
     hexahedra: header.hexahedra ? hexahedra_of(read, header.hexahedra, header) : null,

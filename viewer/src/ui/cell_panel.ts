@@ -165,6 +165,7 @@ function matrix_table(form: NonNullable<CellDescription["form"]>): HTMLElement {
     element("p", { class: "fine" }, `E(h) = h·Ah − 2 b·h + ${measured(form.constant)}, not divided by the weight`));
 }
 
-export function show_no_cell(panel: HTMLElement): void {
-  panel.replaceChildren(element("p", { class: "empty", "data-testid": "cell-empty" }, "Click the part or the cut to see a cell or tet: its frame and its numbers. With keys: Enter takes the one in the middle of the view."));
+export function show_no_cell(panel: HTMLElement, of_hexahedra: boolean): void {
+  const what = of_hexahedra ? "Click a hexahedron to see its shape, and the face of the model that it is on." : "Click the part or the cut to see a cell or tet: its frame and its numbers.";
+  panel.replaceChildren(element("p", { class: "empty", "data-testid": "cell-empty" }, `${what} With keys: Enter takes the one in the middle of the view.`));
 }

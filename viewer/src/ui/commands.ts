@@ -8,6 +8,8 @@ import type { Stage } from "../view/stage.ts";
 
 export interface Commands {
   readonly scene: Scene;
+  /** Whether hexahedra follow the field. */
+  readonly follows_field: boolean;
   readonly stage: Stage;
   readonly store: SettingsStore;
   view(name: ViewName): void;

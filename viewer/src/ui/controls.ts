@@ -62,8 +62,8 @@ export interface ControlActions {
   turn_up(up: UpAxis): void;
 }
 
-/** Fills a panel with the controls, and returns what makes them follow the settings. */
-export function make_controls(panel: HTMLElement, store: SettingsStore, scene: Scene, actions: ControlActions): Follow {
+/** Fills a panel with the controls, and returns what makes them follow the settings. `follows_field`: whether hexahedra do. */
+export function make_controls(panel: HTMLElement, store: SettingsStore, scene: Scene, follows_field: boolean, actions: ControlActions): Follow {
   const bind = new Bindings(store);
   const unit = scene.unit ? ` ${scene.unit}` : "";
   const has_streams = scene.streamline_starts.length > 1;
@@ -73,6 +73,7 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
   if (scene.regions.length > 1) maps.push(["region", "Regions"]);
   // What concerns the field alone is not there while hexahedra stand for it.
   const of_field = (...parts: HTMLElement[]): HTMLElement[] => {
+    if (!scene.has_field) return [];
     if (scene.hexahedra) bind.follow.push((settings) => parts.forEach((part) => (part.hidden = is_of_hexahedra(settings))));
     return parts;
   };
@@ -81,7 +82,7 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
     return part;
   };
   panel.append(
-    ...(scene.hexahedra ? [hexahedra_controls(bind, scene.hexahedra, of_mesh)] : []),
+    ...(scene.hexahedra ? [hexahedra_controls(bind, scene, scene.hexahedra, of_mesh)] : []),
     ...(scene.grid ? of_field(group("Field",
       bind.choice("Field", "field", [["main", "Tets"], ["grid", "Starting grid"]], (settings) => settings.field, (field) => store.change({ field, picked: -1, hexahedron: -1 })))) : []),
     ...of_field(group("Colour by",
@@ -112,7 +113,7 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
     group("Show",
       element("div", { class: "grid" },
         bind.layer("Part", "part"), bind.layer("Creases", "creases"), ...of_field(bind.layer("Singular lines", "arcs"), bind.layer("Nodes", "nodes")),
-        scene.hexahedra ? of_mesh(bind.layer("Singular lines", "mesh_lines")) : null,
+        scene.hexahedra && follows_field ? of_mesh(bind.layer("Singular lines", "mesh_lines")) : null,
         ...(has_streams ? of_field(bind.layer("Streamlines", "streamlines")) : []),
       ),
       ...(has_streams ? of_field(bind.select("Seeds", "streams", [["cut", "from the cut"], ["surface", "from the surface"]], (settings) => settings.streams, (streams) => store.change({ streams, layers: { streamlines: true } }))) : []),
@@ -125,11 +126,11 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
   return (settings) => bind.follow.forEach((follow) => follow(settings));
 }
 
-function hexahedra_controls(bind: Bindings, hexahedra: Hexahedra, of_mesh: (part: HTMLElement) => HTMLElement): HTMLElement {
+function hexahedra_controls(bind: Bindings, { has_field }: Scene, hexahedra: Hexahedra, of_mesh: (part: HTMLElement) => HTMLElement): HTMLElement {
   const { store } = bind;
   const colors = hex_colors(hexahedra);
   return group("Mesh",
-    bind.choice("Hexahedra or field", "mesh", [["hexahedra", "Hexahedra"], ["field", "Field"]], (settings) => (is_of_hexahedra(settings) ? "hexahedra" : "field"),
+    bind.choice(has_field ? "Hexahedra or field" : "Hexahedra or model", "mesh", [["hexahedra", "Hexahedra"], ["field", has_field ? "Field" : "Model"]], (settings) => (is_of_hexahedra(settings) ? "hexahedra" : "field"),
       (choice) => store.change({ layers: { hexahedra: choice === "hexahedra" }, field: "main", picked: -1, hexahedron: -1 })),
     colors.length > 1 ? of_mesh(element("div", { class: "row" }, element("span", {}, "Colour"),
       bind.choice("Colour of hexahedra", "hex-color", colors.map((color) => [color, kHexColorNames[color]]), ({ hex_color }) => hex_color, (hex_color) => store.change({ hex_color })))) : null,

@@ -14,7 +14,8 @@ const kTurn = Math.PI / 24;
 const kStep = 0.06;
 
 export function key_groups(commands: Commands): KeyGroup[] {
-  const { store, stage } = commands;
+  const { store, stage, scene: { has_field, hexahedra } } = commands;
+  const of_field = (...keys: Key[]): Key[] => (has_field ? keys : []);
   const arrow = (shown: string, key: string, right: number, up: number): Key => ({
     keys: [key], shown, does: "",
     act: (event) => (event.shiftKey ? stage.rig.pan(right * kStep, up * kStep) : stage.rig.turn(right * kTurn, -up * kTurn)),
@@ -23,11 +24,13 @@ export function key_groups(commands: Commands): KeyGroup[] {
   const layer = (key: string, name: Layer, does: string): Key => ({
     keys: [key], shown: key.toUpperCase(), does, act: () => store.change({ layers: { [name]: !store.current.layers[name] } }),
   });
-  // Those of the mesh and those of the field are shown each for itself.
+  // Those of the mesh and those of the field are shown each for itself. A lattice has none.
   const lines = (key: string, name: Layer, does: string): Key => ({
     keys: [key], shown: key.toUpperCase(), does,
     act: () => {
-      const shown = commands.scene.hexahedra && is_of_hexahedra(store.current) ? "mesh_lines" : name;
+      const is_solid = hexahedra && is_of_hexahedra(store.current);
+      if (is_solid && !commands.follows_field) return;
+      const shown = is_solid ? "mesh_lines" : name;
       store.change({ layers: { [shown]: !store.current.layers[shown] } });
     },
   });
@@ -69,16 +72,17 @@ export function key_groups(commands: Commands): KeyGroup[] {
     {
       name: "Show",
       keys: [
-        layer("p", "part", "part"), layer("k", "creases", "creases"), lines("s", "arcs", "singular lines"), lines("n", "nodes", "nodes"),
-        layer("l", "streamlines", "streamlines"), layer("g", "glyphs", "frames"), layer("e", "cells", "cells"),
-        ...(commands.scene.hexahedra ? [layer("q", "hexahedra", "hexahedra or the field")] : []),
-        { keys: ["b"], shown: "B", does: "curves, crosses or cubes", act: () => store.change({ glyph: { shape: ({ curve: "cross", cross: "cube", cube: "curve" } as const)[store.current.glyph.shape] } }) },
+        layer("p", "part", "part"), layer("k", "creases", "creases"),
+        ...of_field(lines("s", "arcs", "singular lines"), lines("n", "nodes", "nodes"),
+          layer("l", "streamlines", "streamlines"), layer("g", "glyphs", "frames"), layer("e", "cells", "cells")),
+        ...(hexahedra ? [layer("q", "hexahedra", has_field ? "hexahedra or the field" : "hexahedra or the model")] : []),
+        ...of_field({ keys: ["b"], shown: "B", does: "curves, crosses or cubes", act: () => store.change({ glyph: { shape: ({ curve: "cross", cross: "cube", cube: "curve" } as const)[store.current.glyph.shape] } }) }),
         { keys: ["m"], shown: "M", does: "next colour", act: () => next_map(commands) },
         { keys: ["t"], shown: "T", does: "light or dark", act: () => next_theme(commands) },
       ],
     },
     {
-      name: "Places and cells",
+      name: has_field ? "Places and cells" : "Places and hexahedra",
       keys: [
         { keys: ["Enter"], shown: "Enter", does: "pick what is in the middle", act: () => commands.pick_middle() },
         { keys: [".", ">"], shown: ".", does: "next place", act: () => commands.visit_next(1) },
@@ -98,6 +102,7 @@ function next_map(commands: Commands): void {
     commands.store.change({ hex_color });
     return commands.announce(`Coloured by ${kHexColorNames[hex_color].toLowerCase()}`);
   }
+  if (!commands.scene.has_field) return;
   const maps: MapName[] = ["none", "alignment", "energy"];
   if (!commands.scene.tets) maps.push("class");
   if (commands.scene.regions.length > 1) maps.push("region");

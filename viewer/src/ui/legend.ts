@@ -43,8 +43,9 @@ export function legend_body(settings: Settings, theme: Theme, { scene, ranges, f
   const is_solid = hexahedra !== null && settings.layers.hexahedra;
   if (is_solid) {
     const { mesh_lines } = settings.layers;
-    return [hexahedra_block(scene.hexahedra!, settings.hex_color, theme), ...line_blocks({ arcs: mesh_lines, nodes: mesh_lines }, theme, scene, faults, field_name)];
+    return [hexahedra_block(scene.hexahedra!, settings.hex_color, theme), ...(scene.has_field ? line_blocks({ arcs: mesh_lines, nodes: mesh_lines }, theme, scene, faults, field_name) : [])];
   }
+  if (!scene.has_field) return [];
   if (settings.map === "alignment") blocks.push(ramp("Alignment", css_gradient("alignment", theme), linear_ticks(ranges.alignment, "°"), "angle of normal and nearest axis"));
   if (settings.map === "energy") blocks.push(ramp("Energy density", css_gradient("energy", theme), decade_ticks(ranges.energy), scene.unit ? `per volume, ${scene.unit}⁻²` : "per volume"));
   if (settings.map === "class") blocks.push(class_list(theme));

@@ -4,7 +4,7 @@
 
 import { subtract, type Vector } from "../math/frame.ts";
 import { hexahedron_centered_at, is_inverted, number_of } from "../scene/hexahedra.ts";
-import type { HexReport, Report } from "../scene/report.ts";
+import { is_of_lattice, type HexFeatures, type HexReport, type Report } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
 import { advice_on } from "./advice.ts";
 import { sign, type Badge } from "./badge.ts";
@@ -24,7 +24,8 @@ const kOutcomes: Record<string, Badge> = {
 /** Whether hexahedra fill the model, and whether something is wrong all the same; null if none were asked for. */
 export function hexahedra_badge({ hexahedra }: Report): Badge | null {
   if (!hexahedra) return null;
-  const badge = kOutcomes[hexahedra.outcome] ?? kOutcomes.partial;
+  const outcome = kOutcomes[hexahedra.outcome] ?? kOutcomes.partial;
+  const badge = is_of_lattice({ hexahedra }) ? { ...outcome, short: `${outcome.short} by a lattice` } : outcome;
   return badge.judgement === "good" && hexahedra.reason ? { ...badge, judgement: "unsure", sign: "!" } : badge;
 }
 
@@ -67,7 +68,7 @@ function place_of_hexahedron(point: Vector, scene: Scene | null): Pick<Place, "p
 
 /** The worst hexahedron, the worst fit, and where the mesh lacks some or has bad ones. */
 export function mesh_places(report: Report, scene: Scene | null, origin: Vector): Place[] {
-  return [...worst_hexahedron(report, scene, origin), ...worst_fit(report, origin), ...failing_places(report, scene, origin)];
+  return [...worst_hexahedron(report, scene, origin), ...worst_fit(report, origin), ...failing_places(report, scene, origin), ...lacking_places(report.hexahedra, origin)];
 }
 
 function failing_places({ hexahedra }: Report, scene: Scene | null, origin: Vector): Place[] {
@@ -107,19 +108,52 @@ export function mesh_numbers(report: Report, scene: Scene | null): HTMLElement[]
   const mesh = report.hexahedra!;
   const unit = report.model?.unit ? ` ${report.model.unit}` : "";
   const list = element("dl", { class: "numbers", "data-testid": "numbers" });
-  const { size, used_size, scaled_jacobian: shapes } = mesh;
-  if (used_size) list.append(number("Size of hexahedra", `${measured(used_size)}${unit}`, size && size !== used_size ? `not ${measured(size)}${unit}` : "", "number-size"));
+  const { scaled_jacobian: shapes } = mesh;
+  list.append(...size_number(report, unit));
   list.append(number("Hexahedra", counted(mesh.hexahedra), expected_text(mesh), "number-hexahedra"));
   if (shapes && mesh.hexahedra > 0) list.append(number("Worst scaled Jacobian", shape_text(shapes.min), [worst_number(mesh, scene), `${measured(shapes.mean, 2)} in the mean`].filter(Boolean).join(", "), "number-worst"));
   if (report.seconds?.total !== undefined) list.append(number("Time", duration(report.seconds.total), report.peak_memory_bytes ? memory(report.peak_memory_bytes) : ""));
-  const facts: [string, string, string][] = [["Fit", fit_text(mesh, unit), "mesh-fit"], ["Inverted", shapes?.inverted ? counted(shapes.inverted) : "", "mesh-inverted"], ["Way", mesh.way ?? "", "mesh-way"], ["Files", files_of(report).join(", "), "mesh-files"]];
+  const facts: [string, string, string][] = [["Fit", fit_text(mesh, unit), "mesh-fit"], ["Features", mesh.features ? kept_text(mesh.features) : "", "mesh-features"], ["Inverted", shapes?.inverted ? counted(shapes.inverted) : "", "mesh-inverted"], ["Way", mesh.way ?? "", "mesh-way"], ["Files", files_of(report).join(", "), "mesh-files"]];
   const told = facts.filter(([, text]) => text !== "");
   return [list, element("dl", { class: "facts" }, ...told.flatMap(([name, text, test]) => [element("dt", {}, name), element("dd", { "data-testid": test }, text)]))];
 }
 
-/** How many were expected before the work, at the size given or by default. */
-function expected_text({ expected }: HexReport): string {
-  if (!expected) return "";
+/** The size beside that asked for. Layers along features make hexahedra of a lattice smaller than its cells: what counts is their mean. */
+function size_number(report: Report, unit: string): HTMLElement[] {
+  const { size, used_size, hexahedra, volume } = report.hexahedra!;
+  if (!used_size) return [];
+  const text = (length: number): string => `${measured(length)}${unit}`;
+  if (!is_of_lattice(report) || hexahedra === 0 || !volume) return [number("Size of hexahedra", text(used_size), size && size !== used_size ? `not ${text(size)}` : "", "number-size")];
+  const notes = [size ? `asked for: ${text(size)}` : "", size !== used_size ? `lattice: ${text(used_size)}` : ""];
+  return [number("Mean edge", text(Math.cbrt(volume / hexahedra)), notes.filter(Boolean).join(", "), "number-size")];
+}
+
+/** What is kept of the model's features, in the words of the terminal. */
+export function kept_text({ corners, creases, faces, small = 0, too_small = [] }: HexFeatures): string {
+  const parts = ([[corners, "corner", "corners"], [creases, "crease", "creases"], [faces, "face", "faces"]] as const)
+    .filter(([{ all }]) => all > 0).map(([{ all, kept }, one, many]) => `${kept} of ${all} ${all === 1 ? one : many}`);
+  const kept = parts.length > 0 ? `${parts.join(", ")} kept` : "";
+  const others = parts.length === 0 ? plural(small, "feature") : `${small} ${small === 1 ? "other" : "others"}`;
+  return [kept, small > 0 ? `${others} smaller than the hexahedra, ${too_small.length === 0 ? "kept too" : `${too_small.length} of which are not kept`}` : ""].filter(Boolean).join("; ");
+}
+
+const kLackNames: Record<string, string> = { corner: "Corner", crease: "Crease", face: "Face" };
+
+/** The corners, creases and faces that the mesh lacks of those that it has room for. */
+export function lacking_list({ hexahedra }: Report, origin: Vector, go: Go | null): HTMLElement[] {
+  const places = lacking_places(hexahedra, origin);
+  return place_lists([{ name: "Not kept of the model", kinds: places.length === 0 ? [] : [{ summary: "", places }] }], origin, go);
+}
+
+function lacking_places(hexahedra: HexReport | undefined, origin: Vector): Place[] {
+  return (hexahedra?.features?.lacking ?? []).filter(({ kind }) => kind in kLackNames).map(({ kind, number: at, place, share }) => ({
+    label: `${kLackNames[kind]}${at ? ` ${at}` : ""}`, detail: kind === "face" ? "no quads" : kind === "crease" ? `${Math.round(100 * share)} % kept` : "no vertex on it", point: subtract(place, origin), warn: true, of_mesh: true,
+  }));
+}
+
+/** How many were expected before the work, at the size given or by default; of hexahedra that were given nothing. */
+function expected_text({ expected, attempts }: HexReport): string {
+  if (!expected || attempts?.length === 0) return "";
   return `about ${measured(Number(Math.max(1, expected).toPrecision(2)), 2)} expected`;
 }
 
@@ -136,8 +170,8 @@ function fit_text(mesh: HexReport, unit: string): string {
   if (hexahedra === 0) return "";
   const off = (name: string, of: number | undefined, all: number | undefined): string => (of !== undefined && all ? `${name} ${percent(of / all)}` : "");
   const sizes = [off("volume", volume, model_volume), off("area", area, model_area)].filter(Boolean).join(", ");
-  const farthest = farthest_of(mesh);
-  const apart = !farthest ? "" : distances_of(mesh).filter(({ distance }) => distance > 0).map(({ words, distance }) => words(`${measured(distance, 2)}${unit}`)).join(", ") || "on the surface";
+  const distances = largest_in_all(mesh);
+  const apart = distances.length === 0 ? "" : distances.filter(({ distance }) => distance > 0).map(({ words, distance }) => words(`${measured(distance, 2)}${unit}`)).join(", ") || "on the surface";
   return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, apart].filter(Boolean).join("; ");
 }
 
@@ -158,6 +192,13 @@ function distances_of({ used_size, largest_distance, largest_distance_place, lar
     { distance: rounded(largest_distance), place: largest_distance_place, words: (length) => `mesh up to ${length} off the surface` },
     { distance: rounded(largest_distance_of_model ?? 0), place: largest_distance_of_model_place, words: (length) => `surface up to ${length} from the mesh` },
   ];
+}
+
+/** The same with those within quads and triangles, whose places are not known, the larger last. */
+function largest_in_all(mesh: HexReport): Farthest[] {
+  const { features, used_size = 1 } = mesh;
+  const in_all = [features?.of_mesh, features?.of_model].map((distances) => used_size * (distances?.largest_in_all ?? 0));
+  return distances_of(mesh).map((one, k) => ({ ...one, distance: Math.max(one.distance, is_off(in_all[k], mesh) ? in_all[k] : 0) })).sort((a, b) => a.distance - b.distance);
 }
 
 /** The larger of them, and where it is. */

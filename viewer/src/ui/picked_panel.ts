@@ -68,7 +68,7 @@ export class PickedPanel {
       title = title_of(scene, cell);
       const center: Vector = element_center(scene, cell);
       this.cell_panel = show_cell(this.panel, this.describe(cell), unit, { go: () => this.stage.rig.approach(center, true), close });
-    } else if (face === 0) show_no_cell(this.panel);
+    } else if (face === 0) show_no_cell(this.panel, scene.hexahedra !== null);
     else this.panel.replaceChildren();
     if (face !== 0) {
       const alone = hexahedron < 0 && cell < 0;

@@ -119,8 +119,14 @@ function stands_elsewhere({ kind }: Warning, { reasons = [], input, creases }: R
   }
 }
 
-export function warnings_list(report: Report): HTMLElement | null {
-  const warnings = (report.warnings ?? []).filter((warning) => !stands_elsewhere(warning, report));
+const kKindsOfField = ["crowded_corners", "knife_edges", "unfinished", "memory_limited", "thin_walls", "excluded_surface", "not_settled", "tets_not_settled", "constraints_outside", "vertices_outside", "refused_splits"];
+
+/** Whether a warning is about the field, not about the model or hexahedra. */
+export const is_of_field = ({ kind }: Warning): boolean => kKindsOfField.includes(kind);
+
+/** All warnings, or those that are wanted. */
+export function warnings_list(report: Report, is_wanted: (warning: Warning) => boolean = () => true): HTMLElement | null {
+  const warnings = (report.warnings ?? []).filter((warning) => !stands_elsewhere(warning, report) && is_wanted(warning));
   if (warnings.length === 0) return null;
   return element("section", { class: "block" },
     element("h2", {}, "Warnings", element("span", { class: "tally" }, String(warnings.length))),

@@ -72,7 +72,7 @@ export class FieldView {
     this.ranges = ranges_of(scene);
     this.textures = field_textures(scene, this.octree, this.ranges);
     this.uniforms = shared_uniforms(scene, this.octree, this.textures);
-    // The boundary of tets is closed.
+    // The boundary of tets is closed, and so is the model of hexahedra without a field.
     this.cut = new Cut(scene, this.octree, closed || scene.tets !== null);
     this.part = new PartView(scene, this.uniforms, this.ranges);
     this.tet_face = scene.tets ? new TetFace(scene, this.uniforms, this.cut, this.ranges) : null;
@@ -112,7 +112,9 @@ export class FieldView {
     // Around some of the hexahedra it tells where these are.
     this.part.show(is_alone || (layers.part && (!is_solid || settings.below < 1)), layers.creases, is_solid ? Math.min(settings.opacity, kAround) : settings.opacity);
     this.part.cut(normal, offset, clips);
-    this.highlight.show(is_solid ? 0 : (settings.face?.number ?? 0));
+    const face = settings.face?.number ?? 0;
+    // Hexahedra have the colour of a face that they lie on.
+    this.highlight.show(is_solid && this.hexahedra!.lie_on(face) ? 0 : face);
     this.cell_face?.place(normal, offset);
     this.cell_face?.show(cut.on && !is_solid, layers.cells);
     this.tet_face?.show(cut.on && !is_solid, layers.cells);
@@ -152,7 +154,7 @@ export class FieldView {
     const { glyph: { shape, color }, layers, cut } = settings;
     const { normal, offset } = this.cut;
     const is_solid = this.shows_hexahedra(settings);
-    const shown = layers.glyphs && cut.on && !is_solid;
+    const shown = this.scene.has_field && layers.glyphs && cut.on && !is_solid;
     const choice = { normal, offset, spacing, color, theme };
     const in_front = dot(normal, eye) < offset ? -1 : 1;
     this.on_cut.position.set(...scaled(normal, in_front * kLift * spacing));

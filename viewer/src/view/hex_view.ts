@@ -115,6 +115,10 @@ export class HexView {
     return met !== null && dot(subtract(met.point, point), direction) > hexahedron_radius(this.hexahedra, hexahedron_of(met.side));
   }
 
+  lie_on(face: number): boolean {
+    return this.place_of_face.has(face);
+  }
+
   center(hexahedron: number): Vector {
     return hexahedron_center(this.skins, hexahedron);
   }

@@ -58,6 +58,11 @@ export class Picker {
         const point = hit.point.toArray() as Vector;
         if (clipped && dot(normal, point) > offset) continue;
         const outward = hit.face ? (hit.face.normal.toArray() as Vector) : ([0, 0, 0] as Vector);
+        if (!this.scene.has_field) {
+          // What is seen from inside lies behind the face of the cut.
+          if (dot(direction, outward) < 0) best = { element: -1, face: face_at(face_of_triangle(this.scene, hit.faceIndex ?? -1), point), distance: hit.distance };
+          break;
+        }
         const element = this.on_surface(point, outward);
         if (element < 0) continue;
         best = { element, face: face_at(face_of_triangle(this.scene, hit.faceIndex ?? -1), point), distance: hit.distance };
