@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "crossgrain/writing.hpp"
 #include "output.hpp"
 #include "results/one_solve.hpp"
+#include "results/result_files.hpp"
 #include "summary.hpp"
 
 namespace crossgrain::app {
@@ -125,6 +127,14 @@ std::string hexahedra_line(const SolveReport& report) {
          sentence_of(hexahedra, words_of(hexahedra.remedy, hexahedra.remedy_number, Command::kHex)) + "\n";
 }
 
+/// Says what the rows are about that follow the hexahedra, where these follow no field.
+std::string lattice_line(const SolveReport& report) {
+  if (!report.hexahedra || !report.hexahedra->is_of_lattice()) return "";
+  const std::string& fault = report.hexahedra->map_fault;
+  return (fault.empty() ? "" : "no map was taken, since " + fault + "\n") + "the mesh follows no field; " +
+         (fault.empty() ? "there is one beside it:\n" : "that along which maps were tried:\n");
+}
+
 /// What the field says where there are hexahedra, which say more than that some fit everywhere.
 std::string reasons_of(const SolveReport& report) {
   const Answer& answer = report.answer;
@@ -138,6 +148,19 @@ std::string reasons_of(const SolveReport& report) {
     text += "  also " + line_of(one, Command::kOther) + "\n";
   }
   return text;
+}
+
+/// Whether a folder has hexahedra without a field.
+bool is_of_hexahedra_alone(const std::string& folder) {
+  if (may_exist(std::filesystem::path(folder) / kCellsFile) || is_in_pieces(folder)) return false;
+  if (!may_exist(std::filesystem::path(folder) / kReportFile)) return false;
+  return is_without_field(report_of_result(folder));
+}
+
+void check_hexahedra(const CheckArguments& arguments) {
+  const SolveReport report =
+      read_one_solve(arguments.field, [&] { return report_of_result(arguments.field); });
+  print_result(arguments.json ? check_json(report) : rows_of_mesh(report, arguments.field));
 }
 
 /// Replaces the lines of a report by those of the field itself, but for what the surface is needed for.
@@ -163,6 +186,7 @@ SolveReport judged(const FrameField& field, const std::string& folder) {
 }  // namespace
 
 void run_check(const CheckArguments& arguments) {
+  if (is_of_hexahedra_alone(arguments.field)) return check_hexahedra(arguments);
   const auto read = [&] {
     FrameField field = read_field(arguments.field);
     SolveReport report = judged(field, arguments.field);
@@ -176,8 +200,8 @@ void run_check(const CheckArguments& arguments) {
   Graphs graphs;
   if (report.onto) graphs.push_back(report.onto->singularity);
   graphs.push_back(report.singularity);
-  std::string text = unfinished_line(report) + hexahedra_line(report) + reasons_of(report) +
-                     numbers_of(graphs, field.size()) + remarks_on(graphs.front());
+  std::string text = unfinished_line(report) + hexahedra_line(report) + lattice_line(report) +
+                     reasons_of(report) + numbers_of(graphs, field.size()) + remarks_on(graphs.front());
   if (report.onto && report.onto->repair)
     text += "repaired: " + sentence_of(*report.onto->repair, report.onto->singularity) + "\n";
   if (report.coarser && !report.onto) text += comparison_with(*report.coarser, report.singularity);

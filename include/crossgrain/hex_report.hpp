@@ -119,6 +119,11 @@ struct HexReport {
   /// Seconds of the steps of all attempts: repairs, maps, extraction, smoothing; and of the numbers above.
   double repair_seconds = 0, map_seconds = 0, extraction_seconds = 0, smoothing_seconds = 0,
          analysis_seconds = 0;
+
+  /// Whether the mesh is of a lattice, which follows no field.
+  bool is_of_lattice() const {
+    return best_attempt < attempts.size() && attempts[best_attempt].is_of_lattice();
+  }
 };
 
 /// Returns the report as a sentence: "all-hex: 1268 of 2", what a part lacks, with reason and remedy, whether

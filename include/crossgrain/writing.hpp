@@ -71,8 +71,9 @@ std::string report_json(const SolveReport& report);
 /// SpectrumReport, with matrices as lists of rows.
 std::string spectrum_json(const SpectrumReport& report);
 
-/// Returns what `crossgrain check --json` prints: the answer, and the singular graphs of the grid and, if
-/// there are any, of the tets, as in report.json (docs/report.md).
+/// Returns what `crossgrain check --json` prints, as in report.json (docs/report.md): hexahedra and faces, if
+/// there are any; the answer, and the singular graphs of the grid and, if there are any, of the tets. Without
+/// a field hexahedra, faces and warnings.
 std::string check_json(const SolveReport& report);
 
 /// @}

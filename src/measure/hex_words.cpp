@@ -29,14 +29,9 @@ constexpr double kPoorShape = 0.2;
 /// parts.
 constexpr double kAsExpected = 2;
 
-/// Whether the mesh is of a lattice.
-bool is_of_lattice(const HexReport& report) {
-  return report.best_attempt < report.attempts.size() && report.attempts[report.best_attempt].is_of_lattice();
-}
-
 /// Why smaller hexahedra than asked for were taken.
 const char* fault_of_larger(const HexReport& report, double expected) {
-  if (is_of_lattice(report)) return "larger ones of a lattice do not keep the model";
+  if (report.is_of_lattice()) return "larger ones of a lattice do not keep the model";
   const char* fault = "larger ones would be turned inside out";
   for (const HexAttempt& attempt : report.attempts) {
     if (attempt.outcome != HexOutcome::kAllHex || attempt.size <= report.used_size) continue;
@@ -87,7 +82,7 @@ std::string remedy_of(const HexReport& report, const std::string& remedy_words) 
   const bool is_wanting = report.outcome != HexOutcome::kAllHex || !report.reason.empty();
   if (!is_wanting || !remedy_words.empty() || report.attempts.empty())
     return with_count(report, remedy_words);
-  return is_of_lattice(report) ? "" : "smaller hexahedra may help";
+  return report.is_of_lattice() ? "" : "smaller hexahedra may help";
 }
 
 /// Says so of shapes that are too poor to compute on, where none is inverted.
@@ -179,7 +174,7 @@ std::string sentence_of(const HexReport& report) {
 
 std::string sentence_of(const HexReport& report, const std::string& remedy_words) {
   std::string text = name_of(report.outcome);
-  if (is_of_lattice(report)) text += " by a lattice";
+  if (report.is_of_lattice()) text += " by a lattice";
   if (report.is_stopped) text += ", the search was stopped";
   std::string sizes;
   if (report.hexahedra > 0) sizes = sizes_of(report);

@@ -146,7 +146,8 @@ const char* title_of(HexOutcome outcome) {
 
 LegendBlock outcome_block(std::size_t hexahedra, const HexReport* report) {
   if (report == nullptr) return {hexahedra_text(hexahedra)};
-  LegendBlock block{fmt::format("{}: {}", title_of(report->outcome), hexahedra_text(hexahedra))};
+  LegendBlock block{fmt::format("{}{}: {}", title_of(report->outcome),
+                                report->is_of_lattice() ? " by a lattice" : "", hexahedra_text(hexahedra))};
   if (!report->reason.empty()) block.notes.push_back(report->reason);
   if (const std::string lacking = lacking_of(*report); !lacking.empty()) block.notes.push_back(lacking);
   return block;

@@ -47,6 +47,10 @@ void check_places_in_lists(const InputFile& file, const HexReport& report) {
 
 }  // namespace
 
+bool is_without_field(const SolveReport& report) {
+  return report.hexahedra && report.levels.empty() && !report.onto;
+}
+
 std::string report_json(const SolveReport& report) {
   return json_text(json_of(report));
 }
@@ -76,6 +80,14 @@ void warn_of_numbers_not_finite(SolveReport& report) {
 std::string check_json(const SolveReport& report) {
   Json json;
   JsonWriter writer(json);
+  if (report.hexahedra) {
+    writer.member("hexahedra", report.hexahedra);
+    writer.optional_list("faces", report.faces);
+  }
+  if (is_without_field(report)) {
+    writer.member("warnings", report.warnings);
+    return json_text(json);
+  }
   describe(writer, report.answer);
   writer.member("grid", report.singularity);
   if (report.onto) writer.member("tets", report.onto->singularity);

@@ -20,6 +20,9 @@ inline constexpr const char* kTetGridFile = "onto.vtu";
 /// kStreamlinesFile.
 std::vector<std::string> all_result_files();
 
+/// Returns whether a report is of hexahedra without a field.
+bool is_without_field(const SolveReport& report);
+
 /// Returns the names of the files of hexahedra that `write_field` writes with these options.
 std::vector<std::string> hexahedra_files(const OutputOptions& options);
 

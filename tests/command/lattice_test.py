@@ -11,9 +11,11 @@ import numpy as np
 
 from fit_test import cylinder
 from hex_judge import judged
+from hex_pictures_test import legend_of
+from page_reader import Page
 from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
 
-USAGE, APPROXIMATE, INTERRUPTED = 2, 7, 130
+USAGE, INPUT, APPROXIMATE, INTERRUPTED = 2, 3, 7, 130
 
 
 def turned(triangles, angle, axis=(1, 2, 3)):
@@ -40,11 +42,55 @@ class Lattice(CommandTest):
         self.assertIn("all-hex by a lattice: ", printed)
         self.assertIn("attempt 1 of 1: lattice", printed)
         self.assertNotIn("tets", printed)
-        self.assertRegex(printed, r"(?m)^files      out: hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
+        self.assertRegex(printed, r"(?m)^files      out: report.html, hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
         self.assertGreater(report["scaled_jacobian"]["min"], 0.999)
         self.assert_all_hex(report["size"])
         self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()),
-                         ["hexahedra.inp", "hexahedra.mesh", "hexahedra.msh", "hexahedra.vtu", "report.json"])
+                         ["hexahedra.inp", "hexahedra.mesh", "hexahedra.msh", "hexahedra.vtu", "report.html", "report.json"])
+
+    def test_has_a_page_with_hexahedra_and_model_and_no_field(self):
+        self.write("part.stl", stl_bytes(cylinder(2, 5)))
+        self.made("--lattice", "--size", "0.7")
+        self.assert_succeeds(self.run_here("render", "out", "--colour", "face", "--size", "400x300", "-o", "a.png"))
+        self.assertRegex(legend_of(self.folder / "a.png"), r"All-hex by a lattice: \d+ hexahedra\n(.*\n)*.*Faces \(3\)")
+        page = Page(self.folder / "out" / "report.html")
+        report = json.loads((self.folder / "out" / "report.json").read_text())
+        self.assertEqual(page.report["hexahedra"], report["hexahedra"])
+        self.assertEqual((page.header["hexahedra"]["total"], page.header["hexahedra"]["inverted"]), (report["hexahedra"]["hexahedra"], 0))
+        self.assertNotIn("cells", page.header)
+        self.assertFalse({"cell_corner", "arc_points", "tet_corners", "streamline_points"} & set(page.arrays))
+        # The surface is closed, has the volume of the model, and names the patches that quads lie on.
+        corners = page.arrays["surface_vertices"][page.arrays["surface_triangles"]].astype(float)
+        volume = np.linalg.det(corners).sum() / 6
+        self.assertAlmostEqual(volume, report["hexahedra"]["model_volume"], delta=1e-4 * volume)
+        numbers = {face["number"] for face in report["faces"]}
+        self.assertEqual(set(page.arrays["surface_face"]), numbers)
+        self.assertEqual(set(page.arrays["hex_face"].flat), numbers | {0})
+        self.assertEqual(len(page.lines("crease_points", "crease_starts")), 2)
+
+    def test_has_no_page_where_none_is_wanted(self):
+        self.write("part.stl", stl_bytes(box_triangles()))
+        printed, _ = self.made("--lattice", "--cells", "4")
+        self.assertTrue((self.folder / "out" / "report.html").exists())
+        printed, _ = self.made("--lattice", "--cells", "4", "--no-report")
+        self.assertFalse((self.folder / "out" / "report.html").exists(), "nor that of an earlier run")
+        self.assertIn("out: hexahedra.vtu, ", printed)
+        self.assert_fails(self.run_here("view", "out", "--no-browser"), INPUT, "out", "report.html", "--no-report")
+
+    def test_is_checked_by_its_report(self):
+        self.write("part.stl", stl_bytes(cylinder(2, 5)))
+        printed, report = self.made("--lattice", "--size", "0.7")
+        checked = self.run_here("check", "out")
+        self.assert_succeeds(checked)
+        rows = [line for line in printed.splitlines() if line.split()[0] in ("hexahedra", "worst", "fit", "features", "way", "warning")]
+        self.assertEqual(checked.stdout.splitlines()[:len(rows)], rows)
+        self.assertNotIn("arcs", checked.stdout)
+        data = json.loads(self.run_here("check", "out", "--json").stdout)
+        self.assertEqual(list(data), ["hexahedra", "faces", "warnings"])
+        self.assertEqual(data["hexahedra"], report)
+        # A field that is missing is no lattice.
+        (self.folder / "out" / "report.json").unlink()
+        self.assert_fails(self.run_here("check", "out"), INPUT, "out", "holds no field")
 
     def test_is_put_onto_a_round_part_askew(self):
         self.write("part.stl", stl_bytes(turned(cylinder(2, 5), 0.4)))
@@ -59,6 +105,10 @@ class Lattice(CommandTest):
         self.assertIn("; no map, since ", printed)
         self.assertEqual(report["attempts"][report["best_attempt"]]["kind"], "lattice")
         self.assertTrue((self.folder / "out" / "onto.vtu").exists(), "the field is there too")
+        checked = self.run_here("check", "out").stdout.splitlines()
+        self.assertTrue(checked[0].startswith("hexahedra: all-hex by a lattice: "), checked)
+        self.assertEqual(checked[1:3], [f"no map was taken, since {report['map_fault']}", "the mesh follows no field; that along which maps were tried:"])
+        self.assertEqual(json.loads(self.run_here("check", "out", "--json").stdout)["hexahedra"], report)
         self.assert_all_hex(report["size"])
 
     def test_is_not_made_where_maps_are_preferred(self):
