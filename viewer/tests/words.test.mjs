@@ -7,7 +7,7 @@ import test from "node:test";
 import { coordinates, duration, memory } from "../src/ui/dom.ts";
 import { advice_on } from "../src/ui/advice.ts";
 import { face_title, noun_of, sets_text } from "../src/ui/face_table.ts";
-import { lacking, mesh_places } from "../src/ui/mesh_summary.ts";
+import { kept_text, lacking, mesh_places } from "../src/ui/mesh_summary.ts";
 
 test("coordinates that are rounding are 0", () => {
   assert.equal(coordinates([-1.1e-15, 2, -0]), "0, 2, 0");
@@ -65,4 +65,20 @@ test("remedies are told in the options that the terminal names", () => {
 test("a part of the model says how many cells it lacks, and where", () => {
   assert.equal(lacking({ outcome: "partial", hexahedra: 8, left_out: 1, left_out_place: [1, 2, 3] }), "1 cell left out near 1, 2, 3");
   assert.equal(lacking({ outcome: "all-hex", hexahedra: 8, left_out: 0 }), "");
+});
+
+test("the worst fit is where the largest distance is known to be, at vertices or within faces", () => {
+  const places = (features) => mesh_places({
+    hexahedra: { outcome: "all-hex", hexahedra: 8, used_size: 2, largest_distance: 0.1, largest_distance_place: [1, 0, 0], largest_distance_of_model: 0, features },
+  }, null, [0, 0, 0]).map(({ label, detail, point }) => [label, detail, point]);
+  assert.deepEqual(places(undefined), [["Worst fit", "mesh up to 0.1 off the surface", [1, 0, 0]]]);
+  const features = { corners: { all: 0, kept: 0 }, creases: { all: 0, kept: 0 }, faces: { all: 0, kept: 0 }, of_mesh: { largest: 0.01, largest_in_all: 2 }, of_model: { largest: 0.5, place: [0, 3, 0], largest_in_all: 0.6 } };
+  assert.deepEqual(places(features), [["Worst fit", "surface up to 1 from the mesh", [0, 3, 0]]]);
+});
+
+test("what is kept of the model is told as the terminal does", () => {
+  const of = (corners, creases, faces, more) => kept_text({ corners: { all: corners[1], kept: corners[0] }, creases: { all: creases[1], kept: creases[0] }, faces: { all: faces[1], kept: faces[0] }, ...more });
+  assert.equal(of([8, 8], [0, 0], [1, 1], {}), "8 of 8 corners, 1 of 1 face kept");
+  assert.equal(of([0, 0], [1, 2], [0, 0], { small: 3, too_small: [{}, {}] }), "1 of 2 creases kept; 3 others smaller than the hexahedra, 2 of which are not kept");
+  assert.equal(of([0, 0], [0, 0], [0, 0], { small: 1, too_small: [] }), "1 feature smaller than the hexahedra, kept too");
 });

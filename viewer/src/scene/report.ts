@@ -81,13 +81,20 @@ interface Kept {
   kept: number;
 }
 
-/** What a mesh keeps of its model; distances in sizes of hexahedra. */
+/** Of surfaces, in sizes of hexahedra: beyond what straight edges cut off, where that is, and in all. */
+export interface HexDistances {
+  largest?: number;
+  place?: Vector;
+  largest_in_all: number;
+}
+
+/** What a mesh keeps of its model. */
 export interface HexFeatures {
   corners: Kept;
   creases: Kept;
   faces: Kept;
-  of_mesh?: { largest_in_all: number };
-  of_model?: { largest_in_all: number };
+  of_mesh?: HexDistances;
+  of_model?: HexDistances;
   lacking?: { kind: string; number?: number; place: Vector; figure: number; share: number }[];
   too_small?: object[];
   small?: number;

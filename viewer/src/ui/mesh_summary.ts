@@ -4,7 +4,7 @@
 
 import { subtract, type Vector } from "../math/frame.ts";
 import { hexahedron_centered_at, is_inverted, number_of } from "../scene/hexahedra.ts";
-import { is_of_lattice, type HexFeatures, type HexReport, type Report } from "../scene/report.ts";
+import { is_of_lattice, type HexDistances, type HexFeatures, type HexReport, type Report } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
 import { advice_on } from "./advice.ts";
 import { sign, type Badge } from "./badge.ts";
@@ -184,13 +184,18 @@ interface Farthest {
   words: (length: string) => string;
 }
 
-/** The largest distances: of the mesh from the model, and of the model from the mesh. */
-function distances_of({ used_size, largest_distance, largest_distance_place, largest_distance_of_model, largest_distance_of_model_place }: HexReport): Farthest[] {
-  if (largest_distance === undefined) return [];
-  const rounded = (distance: number): number => (is_off(distance, { used_size }) ? distance : 0);
+/** The largest distances with known places: of the mesh from the model, and of the model from the mesh. */
+function distances_of(mesh: HexReport): Farthest[] {
+  const { used_size = 1, features } = mesh;
+  if (mesh.largest_distance === undefined) return [];
+  // At vertices, or within quads and triangles.
+  const farther = (at_vertices: number, place: Vector | undefined, within: HexDistances | undefined): { distance: number; place?: Vector } => {
+    const found = used_size * (within?.largest ?? 0) > at_vertices ? { distance: used_size * within!.largest!, place: within!.place } : { distance: at_vertices, place };
+    return is_off(found.distance, mesh) ? found : { ...found, distance: 0 };
+  };
   return [
-    { distance: rounded(largest_distance), place: largest_distance_place, words: (length) => `mesh up to ${length} off the surface` },
-    { distance: rounded(largest_distance_of_model ?? 0), place: largest_distance_of_model_place, words: (length) => `surface up to ${length} from the mesh` },
+    { ...farther(mesh.largest_distance, mesh.largest_distance_place, features?.of_mesh), words: (length) => `mesh up to ${length} off the surface` },
+    { ...farther(mesh.largest_distance_of_model ?? 0, mesh.largest_distance_of_model_place, features?.of_model), words: (length) => `surface up to ${length} from the mesh` },
   ];
 }
 
