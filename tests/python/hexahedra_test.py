@@ -173,6 +173,7 @@ class HexahedraOfOtherMeshers(WithFolder):
     def test_are_the_same_from_arrays_files_folders_and_meshio(self):
         mesh = cg.fit((self.points, self.cells), self.model)
         mesh.write_folder(self.folder / "fitted")
+        self.assertTrue((self.folder / "fitted" / "report.html").exists())
         self.assertFalse((self.folder / "fitted" / "onto.vtu").exists())
         meshes = [self.folder / "fitted", self.folder / "fitted" / "hexahedra.inp", mesh]
         if importlib.util.find_spec("meshio"):
