@@ -44,6 +44,7 @@ class NeedSearch {
   explicit NeedSearch(const EmbeddedMesh& embedded)
       : embedded_(embedded), curves_(curves_of_edges(embedded)) {
     needs_.wants_layer.assign(embedded.features.faces.size(), 0);
+    needs_.has_flat_edges = needs_.wants_layer;
   }
 
   LayerNeeds run() {
@@ -56,8 +57,9 @@ class NeedSearch {
     }
     for (const FeatureComplex::Corner& corner : embedded_.features.corners) look_at_corner(corner);
     for (std::uint32_t curve = 0; curve < embedded_.features.curves.size(); ++curve) look_along(curve);
-    for (std::uint32_t face = 0; face < needs_.wants_layer.size(); ++face)
-      needs_.wants_layer[face] = needs_.wants_layer[embedded_.group(face)];
+    for (std::vector<std::uint8_t>* const of_faces : {&needs_.wants_layer, &needs_.has_flat_edges})
+      for (std::uint32_t face = 0; face < of_faces->size(); ++face)
+        (*of_faces)[face] = (*of_faces)[embedded_.group(face)];
     sort_uniquely(needs_.pillows);
     return std::move(needs_);
   }
@@ -84,7 +86,7 @@ void NeedSearch::look_inside_face(std::uint32_t edge, std::span<const std::int32
   for (const std::int32_t solid : {quad.below, quad.above}) {
     const auto count = static_cast<double>(std::ranges::count(solids, solid));
     if (count == 0 || fits(std::numbers::pi / count)) continue;
-    needs_.wants_layer[group] = 1;
+    needs_.wants_layer[group] = needs_.has_flat_edges[group] = 1;
     ++needs_.flat_edges;
   }
 }

@@ -40,7 +40,8 @@ struct EmbeddedMesh {
 std::vector<std::uint32_t> curves_of_edges(const EmbeddedMesh& embedded);
 
 struct LayerNeeds {
-  std::vector<std::uint8_t> wants_layer;  ///< of each face, 1 if its group wants a layer beneath
+  std::vector<std::uint8_t> wants_layer;     ///< of each face, 1 if its group wants a layer beneath
+  std::vector<std::uint8_t> has_flat_edges;  ///< of each face, 1 if this is for a flat edge of the group
 
   /// A group of faces, by the lowest, and a curve beside which its quads are to be divided.
   struct Pillow {

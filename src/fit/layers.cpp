@@ -19,6 +19,10 @@
 namespace crossgrain {
 namespace {
 
+/// How often layers follow where pillows, or layers of other faces, have left two sides of a hexahedron on
+/// one smooth face.
+constexpr int kMostRepeats = 2;
+
 /// Pillows that are inserted at once.
 struct PillowBatch {
   PillowBatch(const HexMesh& mesh, std::vector<std::uint8_t> done)
@@ -45,8 +49,14 @@ class LayerAddition {
         surface_(surface_of(mesh, features)) {}
 
   AddedLayers run() {
-    add_layers_under_faces();
+    add_layers_under_faces(layer_needs(embedded()).wants_layer);
     add_pillows();
+    for (int again = 0; again < kMostRepeats; ++again) {
+      const LayerNeeds needs = layer_needs(embedded());
+      if (needs.flat_edges == 0) break;
+      add_layers_under_faces(needs.has_flat_edges);
+      add_pillows();
+    }
     const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh_);
     added_.inverted = static_cast<std::size_t>(std::ranges::count(is_inverted, 1));
     return added_;
@@ -55,7 +65,7 @@ class LayerAddition {
  private:
   EmbeddedMesh embedded() const { return {mesh_, features_, embedding_, wedges_, surface_}; }
 
-  void add_layers_under_faces();
+  void add_layers_under_faces(const std::vector<std::uint8_t>& wants_layer);
   void add_pillows();
   std::vector<std::uint8_t> sides_below(const std::vector<std::uint8_t>& is_chosen) const;
   std::size_t insert(const HexSheet& sheet);
@@ -100,11 +110,10 @@ std::size_t LayerAddition::insert(const HexSheet& sheet) {
   return inserted.base.size();
 }
 
-void LayerAddition::add_layers_under_faces() {
-  const LayerNeeds needs = layer_needs(embedded());
-  std::vector<std::uint8_t> is_done(needs.wants_layer.size(), 0);
+void LayerAddition::add_layers_under_faces(const std::vector<std::uint8_t>& wants_layer) {
+  std::vector<std::uint8_t> is_done(wants_layer.size(), 0);
   for (std::uint32_t face = 0; face < is_done.size(); ++face) {
-    if (!needs.wants_layer[face] || is_done[face]) continue;
+    if (!wants_layer[face] || is_done[face]) continue;
     const std::vector<std::uint8_t> is_covered = layer_extent(embedded(), face);
     const std::vector<std::uint8_t> covered = sides_below(is_covered);
     std::vector<std::uint8_t> all(mesh_.hexahedra.size(), 1);

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <random>
 #include <set>
 
 #include "base/degree.hpp"
@@ -262,6 +264,33 @@ TEST(Layers, DivideAnAngleOfAHundredAndFiftyDegreesAndLeaveOneOfThirty) {
   EXPECT_EQ(sheared.added.layers, 2u);
   EXPECT_EQ(sheared.added.inverted, 0u);
   sheared.expect_sound();
+}
+
+/// Stacks of cubes of random heights, with smooth faces by quarters, heights and directions.
+TEST(Layers, OfRoughHeapsLeaveNoTwoSidesOfAHexahedronOnOneSmoothFace) {
+  std::size_t tried = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    std::array<std::array<int, 4>, 4> heights{};
+    for (auto& row : heights)
+      for (int& height : row) height = 1 + static_cast<int>(random() % 4);
+    const HexMesh heap = lattice_mesh({4, 4, 5}, [&](int x, int y, int z) {
+      return z <= heights[static_cast<std::size_t>(x)][static_cast<std::size_t>(y)];
+    });
+    const HexTopology topology = topology_of(heap);
+    if (!topology.is_closed() || topology.pinched_vertices > 0) continue;
+    LatticeModel model;
+    model.face = [](const Vector3& centre, const Vector3& normal) {
+      const bool is_up = std::abs(normal[2]) > 0.5;
+      return (centre[0] < 2) + 2 * (centre[1] < 2) + (is_up ? 4 : 0) + (centre[2] < 2 ? 8 : 0);
+    };
+    const Layered layered(heap, model);
+    EXPECT_EQ(layered.needs_after.flat_edges, 0u) << seed;
+    const HexTopology after = topology_of(layered.mesh);
+    EXPECT_TRUE(after.is_closed() && after.pinched_vertices == 0) << seed;
+    ++tried;
+  }
+  EXPECT_GT(tried, 10u);
 }
 
 TEST(CurveWedges, OfABoxAreRightAnglesAndOfANotchThreeOfThem) {
