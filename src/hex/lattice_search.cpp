@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/digits.hpp"
 #include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/required_memory.hpp"
@@ -19,6 +20,7 @@
 #include "fit/feature_fit.hpp"
 #include "hex/attempt_kinds.hpp"
 #include "hex/hex_report.hpp"
+#include "hex/lattice_faults.hpp"
 #include "lattice/holes.hpp"
 #include "lattice/lattice.hpp"
 #include "surface/shells.hpp"
@@ -52,22 +54,9 @@ class Search {
         expected_(enclosed_volume(surface_) / raised(size, 3)) {}
 
   LatticeHexahedra run() {
-    // Lattices of another topology are gone on with only where there is no other.
-    std::optional<Lattice> other;
-    double other_size = 0;
     try {
-      for (double size = asked_size_; may_take(size) && !is_done(); size *= kSmallerLattice) {
-        Stopwatch stopwatch;
-        Lattice lattice = lattice_at(size);
-        if (static_cast<double>(lattice.mesh.hexahedra.size()) > kMostOfLattice * expected_ && best_) break;
-        if (lattice.shells == shells_) {
-          take(std::move(lattice), size, stopwatch);
-        } else {
-          skip(lattice, size, stopwatch);
-          other_size = size;
-          if (!lattice.mesh.hexahedra.empty()) other = std::move(lattice);
-        }
-      }
+      for (next_size_ = asked_size_; may_take(next_size_) && !is_done();)
+        if (!try_lattice()) next_coarse();
     } catch (const Error& error) {
       const bool is_stop = error.kind() == ErrorKind::kInterrupted && monitor_.may_be_stopped() &&
                            monitor_.stopped() && !monitor_.cancelled();
@@ -78,16 +67,68 @@ class Search {
         best_->warnings.push_back(ended_at(error));
     }
     Stopwatch stopwatch;
-    if (!best_ && other) take(*std::move(other), other_size, stopwatch);
+    if (!best_ && other_) take(*std::move(other_), other_size_, stopwatch);
     if (!best_)
       throw Error(ErrorKind::kInput, "no cell of a lattice is inside the model",
                   Remedy::kTakeSmallerHexahedra);
-    best_->report.attempts = std::move(attempts_);
-    best_->report.best_attempt = best_attempt_;
+    HexReport& report = best_->report;
+    report.attempts = std::move(attempts_);
+    report.best_attempt = best_attempt_;
+    if (report.remedy != Remedy::kLetFinish) choose_remedy(report);
     return *std::move(best_);
   }
 
  private:
+  /// Makes the next lattice and says whether it could be.
+  bool try_lattice() {
+    Stopwatch stopwatch;
+    const double size = next_size_;
+    Lattice lattice = lattice_at(size);
+    const auto cells = static_cast<double>(lattice.mesh.hexahedra.size());
+    if (best_ && (cells > kMostOfLattice * expected_ || fitted_ + cells > kMostFitted)) return false;
+    if (lattice.shells == shells_) {
+      take(std::move(lattice), size, stopwatch);
+    } else {
+      next_coarse();
+      skip(lattice, size, stopwatch);
+      other_size_ = size;
+      if (!lattice.mesh.hexahedra.empty()) other_ = std::move(lattice);
+    }
+    return true;
+  }
+
+  /// Goes on with a smaller size everywhere.
+  void next_coarse() {
+    next_size_ *= kSmallerLattice;
+    fine_.clear();
+    refinements_ = 0;
+  }
+
+  /// Goes on with planes nearer to each other where the last lattice lacks something, or with a smaller size
+  /// everywhere.
+  void choose_next(const LatticeHexahedra& last) {
+    const bool is_lacking = last.report.outcome == HexOutcome::kApproximate;
+    if (is_lacking && refinements_ < kMostRefinements) {
+      fine_ = places_to_refine(last, surface_, next_size_, fine_);
+      ++refinements_;
+      if (!fine_.empty()) return;
+    }
+    next_coarse();
+  }
+
+  /// Of what is lacking, the size that comes next; but where only shapes are bad, smaller ones were no help.
+  void choose_remedy(HexReport& report) const {
+    if (report.outcome == HexOutcome::kAllHex) {
+      if (report.attempts.size() > 1) report.remedy = Remedy::kNone;
+      return;
+    }
+    const double next = rounded_down(kSmallerLattice * report.attempts.back().size, 2);
+    const bool has_size = report.remedy == Remedy::kUseHexSize && report.remedy_number > 0;
+    report.remedy_number = has_size ? std::min(next, report.remedy_number) : next;
+    report.remedy = Remedy::kUseHexSize;
+    report.remedy_hexahedra = report.model_volume / raised(report.remedy_number, 3);
+  }
+
   void stop() {
     best_->report.is_stopped = true;
     if (!is_good(best_->report)) best_->report.remedy = Remedy::kLetFinish;
@@ -104,11 +145,11 @@ class Search {
   /// and around these.
   Lattice lattice_at(double size) {
     const WatchedLoops watched(monitor_, Stops::kHeeded);
-    Lattice lattice = lattice_of(surface_, size);
-    std::vector<NarrowFeatures> narrow = {{.walls = true}};
+    Lattice lattice = lattice_of(surface_, size, {.fine = fine_});
+    std::vector<NarrowFeatures> narrow = {{.walls = true, .fine = fine_}};
     if (!holes_.empty()) {
-      narrow.push_back({.walls = true, .holes = holes_});
-      narrow.push_back({.walls = true, .holes = holes_, .have_rings = true});
+      narrow.push_back({.walls = true, .holes = holes_, .fine = fine_});
+      narrow.push_back({.walls = true, .holes = holes_, .have_rings = true, .fine = fine_});
     }
     for (const NarrowFeatures& features : narrow) {
       if (lattice.shells == shells_) break;
@@ -135,8 +176,9 @@ class Search {
     end.hexahedra = attempt.hexahedra;
     end.text = std::move(text);
     end.seconds = attempt.seconds;
-    if (!is_done() && may_take(kSmallerLattice * attempt.size))
-      end.next = fmt::format("a lattice of {:.3g}", kSmallerLattice * attempt.size);
+    if (!is_done() && may_take(next_size_))
+      end.next = fine_.empty() ? fmt::format("a lattice of {:.3g}", next_size_)
+                               : "finer planes of the lattice there";
     on_end_(end);
   }
 
@@ -177,8 +219,6 @@ class Search {
     made.mesh = std::move(lattice.mesh);
     made.mesh.unit = model_.solid.mesh.unit;
     made.report = fit_to_model(model_, size, FitWays::kLayersOnly, monitor_, made.mesh, made.warnings);
-    if (made.report.outcome != HexOutcome::kAllHex && made.report.remedy == Remedy::kNone)
-      made.report.remedy = Remedy::kTakeSmallerHexahedra;
     made.report.size = asked_size_;
     made.report.expected = expected_;
     attempt.outcome = made.report.outcome;
@@ -186,6 +226,8 @@ class Search {
     attempt.seconds = stopwatch.restart();
     attempts_.back() = attempt;
     std::string text = text_of(made.report);
+    fitted_ += static_cast<double>(attempt.hexahedra);
+    choose_next(made);
     if (!best_ || flaws_of(made.report) < flaws_of(best_->report)) {
       best_ = std::move(made);
       best_attempt_ = attempts_.size() - 1;
@@ -200,8 +242,13 @@ class Search {
   const Monitor& monitor_;
   const std::function<void(const HexAttemptEnd&)>& on_end_;
   const double asked_size_, expected_;
+  double next_size_ = 0, fitted_ = 0;  ///< of the next lattice; hexahedra of all that were fitted
+  std::vector<FinePlace> fine_;        ///< of the next lattice
+  int refinements_ = 0;                ///< of lattices of this size
   std::vector<HexAttempt> attempts_;
   std::optional<LatticeHexahedra> best_;
+  std::optional<Lattice> other_;  ///< the last of another topology, gone on with only where there is no other
+  double other_size_ = 0;
   std::size_t best_attempt_ = 0;
 };
 

@@ -23,9 +23,10 @@ struct LatticeHexahedra {
 };
 
 /// Returns hexahedra of about `size` that fill a model: cells of a lattice (lattice_of), fitted to its
-/// features. Smaller sizes follow (kSmallerLattice) until all is kept with good shapes, or their cells would
-/// be more than kMostOfLattice times those of the size; lattices of another topology than the model are left
-/// out if there is one of the same. The best is all-hex; then the one that lacks less; then the better
+/// features. Where something is lacking, the planes are made finer there (places_to_refine), kMostRefinements
+/// times; then smaller sizes follow (kSmallerLattice), until all is kept with good shapes, or their cells
+/// would be more than kMostOfLattice times those of the size; lattices of another topology than the model are
+/// left out if there is one of the same. The best is all-hex; then the one that lacks less; then the better
 /// shaped, by classes; then the one with fewer hexahedra.
 ///
 /// Throws Error(kLimit); Error(kInterrupted) by the monitor, and by a stop before there is a mesh: else a
@@ -35,6 +36,13 @@ LatticeHexahedra lattice_hexahedra(const FittingModel& model, double size, const
 
 /// Each lattice's size, as a share of the one before.
 inline constexpr double kSmallerLattice = 0.7;
+
+/// How often a lattice is made again with planes nearer to each other where the last one fails.
+inline constexpr int kMostRefinements = 2;
+
+/// Most hexahedra that are fitted, in all lattices, once there is one of the model's topology: half a minute
+/// of two cores.
+inline constexpr double kMostFitted = 40000;
 
 /// Most cells beside those that fill the model at the size asked for.
 inline constexpr double kMostOfLattice = 12;

@@ -93,7 +93,11 @@ Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& na
   Lattice lattice;
   lattice.axes = lattice_axes(surface);
   const Surface along = turned(surface, lattice.axes);
-  NarrowPlanes of_narrow{narrow.walls, {}};
+  NarrowPlanes of_narrow{narrow.walls, {}, narrow.fine};
+  for (FinePlace& place : of_narrow.fine) {
+    place.at = rotate(conjugate(lattice.axes), place.at);
+    place.normal = rotate(conjugate(lattice.axes), place.normal);
+  }
   for (const std::vector<Vector3>& hole : narrow.holes) {
     std::vector<Vector3> points;
     for (const Vector3& p : hole) points.push_back(rotate(conjugate(lattice.axes), p));

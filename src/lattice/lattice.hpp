@@ -8,6 +8,7 @@
 #include "base/quaternion.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/types.hpp"
+#include "lattice/lattice_planes.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
@@ -20,6 +21,8 @@ struct NarrowFeatures {
   /// axes are found; and whether planes lie around them too, for thin walls beside holes.
   std::vector<std::vector<Vector3>> holes = {};
   bool have_rings = false;
+
+  std::vector<FinePlace> fine = {};  ///< places with planes nearer to each other, as the surface lies
 };
 
 struct Lattice {

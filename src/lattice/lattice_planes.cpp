@@ -68,23 +68,67 @@ void add_apart(const FlatArea& flat, double gap, const MayBeNear& may_be_near,
     planes.push_back(flat);
 }
 
-/// Ascending, with as many between two of them as make the distances nearest to the size, and one beyond
-/// either end.
-std::vector<double> divided(std::vector<double> planes, double size) {
+/// Ascending, with as many between two of them as make the distances nearest to those that are wanted, and
+/// one beyond either end.
+std::vector<double> divided(std::vector<double> planes, const PlaneDistance& distance) {
   std::ranges::sort(planes);
   std::vector<double> all = {planes.front()};
   for (std::size_t k = 0; k + 1 < planes.size(); ++k) {
-    const double span = planes[k + 1] - planes[k];
-    const double parts = std::max(1.0, std::round(span / size));
-    for (double part = 1; part < parts; ++part) all.push_back(planes[k] + span * part / parts);
+    const double count = distance.between(planes[k], planes[k + 1]);
+    const double parts = std::max(1.0, std::round(count));
+    for (double part = 1; part < parts; ++part)
+      all.push_back(distance.after(planes[k], planes[k + 1], count * part / parts));
     all.push_back(planes[k + 1]);
   }
-  all.insert(all.begin(), all.front() - size);
-  all.push_back(all.back() + size);
+  all.insert(all.begin(), all.front() - distance.at(all.front()));
+  all.push_back(all.back() + distance.at(all.back()));
   return all;
 }
 
 }  // namespace
+
+PlaneDistance::PlaneDistance(double size, const std::vector<FinePlace>& fine, std::size_t axis)
+    : size_(size) {
+  for (const FinePlace& place : fine)
+    if (std::abs(place.normal[axis]) >= kLeastAcross || norm(place.normal) == 0)
+      places_.emplace_back(place.at[axis], place.size);
+  std::ranges::sort(places_);
+}
+
+double PlaneDistance::at(double coordinate) const {
+  double least = size_;
+  for (const auto& [place, size] : places_)
+    least = std::min(least, size + kGrowth * std::max(0.0, std::abs(coordinate - place) - size));
+  return least;
+}
+
+/// Ends of pieces that are short beside the distances there.
+std::vector<double> PlaneDistance::steps(double low, double high) const {
+  constexpr double kPiece = 1.0 / 16;
+  std::vector<double> ends = {low};
+  while (ends.back() < high) ends.push_back(std::min(high, ends.back() + kPiece * at(ends.back())));
+  return ends;
+}
+
+double PlaneDistance::between(double low, double high) const {
+  if (places_.empty()) return (high - low) / size_;
+  double count = 0;
+  const std::vector<double> ends = steps(low, high);
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+    count += (ends[k + 1] - ends[k]) / at(0.5 * (ends[k] + ends[k + 1]));
+  return count;
+}
+
+double PlaneDistance::after(double low, double high, double count) const {
+  if (places_.empty()) return std::min(high, low + count * size_);
+  const std::vector<double> ends = steps(low, high);
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const double distance = at(0.5 * (ends[k] + ends[k + 1])), part = (ends[k + 1] - ends[k]) / distance;
+    if (part >= count) return ends[k] + count * distance;
+    count -= part;
+  }
+  return high;
+}
 
 LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPlanes& narrow) {
   const auto is_wall = [&](const FlatArea& a, const FlatArea& b) {
@@ -93,9 +137,12 @@ LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPl
   const auto is_never_near = [](const FlatArea&, const FlatArea&) { return false; };
   LatticePlanes planes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    const PlaneDistance distance(size, narrow.fine, axis);
     std::vector<FlatArea> kept;
-    for (const FlatArea& flat : flat_areas(surface, axis, size))
-      if (flat.area >= kPlaneArea * size * size) add_apart(flat, kLeastGap * size, is_wall, kept);
+    for (const FlatArea& flat : flat_areas(surface, axis, size)) {
+      const double here = distance.at(flat.coordinate);
+      if (flat.area >= kPlaneArea * here * here) add_apart(flat, kLeastGap * here, is_wall, kept);
+    }
     for (const double end : {surface.box.low[axis], surface.box.high[axis]})
       add_apart({end, 0, 0}, kBorderGap * size, is_never_near, kept);
     for (const Box& hole : narrow.holes) {
@@ -105,7 +152,7 @@ LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPl
     }
     std::vector<double> coordinates;
     for (const FlatArea& flat : kept) coordinates.push_back(flat.coordinate);
-    planes.at[axis] = divided(std::move(coordinates), size);
+    planes.at[axis] = divided(std::move(coordinates), distance);
   }
   return planes;
 }

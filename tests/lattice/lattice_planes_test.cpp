@@ -57,5 +57,40 @@ TEST(LatticePlanes, LieOnBothSidesOfThinWallsAndOfHolesIfAskedTo) {
   EXPECT_FALSE(has(at_hole.at[1], 2.2)) << "the hole is wide there";
 }
 
+TEST(LatticePlanes, AreNearerAtFinePlacesAndGrowApartSlowly) {
+  const Surface box = surface_of(make_box({20, 20, 20}));
+  const LatticePlanes planes = lattice_planes(box, 2, {.fine = {{{4, 0, 0}, 0.5, {1, 0, 0}}}});
+  const std::vector<double>& x = planes.at[0];
+  double least = 2;
+  for (std::size_t k = 1; k + 2 < x.size(); ++k) {
+    const double gap = x[k + 1] - x[k], before = x[k] - x[k - 1];
+    least = std::min(least, gap);
+    EXPECT_LT(std::max(gap / before, before / gap), 1.75) << x[k];
+    if (std::abs(x[k] - 4) < 0.5) {
+      EXPECT_NEAR(gap, 0.55, 0.1);
+    }
+  }
+  EXPECT_NEAR(least, 0.5, 0.1);
+  EXPECT_NEAR(x[2] - x[1], 2, 0.2) << "far away";
+  EXPECT_EQ(planes.cells(1), lattice_planes(box, 2).cells(1)) << "the surface there lies along y";
+  const LatticePlanes all = lattice_planes(box, 2, {.fine = {{{4, 0, 0}, 0.5}}});
+  EXPECT_EQ(all.cells(0), planes.cells(0));
+  EXPECT_EQ(all.cells(1), all.cells(2));
+  EXPECT_GT(all.cells(1), planes.cells(1));
+}
+
+TEST(PlaneDistance, CountsWhatItPlaces) {
+  const PlaneDistance distance(2, {{{1, 0, 0}, 0.25}, {{3, 0, 0}, 0.5}}, 0);
+  EXPECT_EQ(distance.at(1), 0.25);
+  EXPECT_EQ(distance.at(-50), 2);
+  const double all = distance.between(-8, 9);
+  EXPECT_GT(all, 17 / 2.0);
+  for (const double share : {0.1, 0.5, 0.9}) {
+    const double at = distance.after(-8, 9, share * all);
+    EXPECT_NEAR(distance.between(-8, at), share * all, 0.02 * all) << share;
+  }
+  EXPECT_EQ(distance.after(-8, 9, 2 * all), 9);
+}
+
 }  // namespace
 }  // namespace crossgrain
