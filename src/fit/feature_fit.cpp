@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <iterator>
 #include <tuple>
 #include <utility>
@@ -41,6 +42,9 @@ std::size_t lost_features(const FeatureMeasure& measure) {
 
 /// Worst scaled Jacobian of single moves from which moving all vertices at once gains little.
 constexpr double kFairShape = 0.4;
+
+/// Of two meshes with as poor a worst hexahedron, the one with less than half as many of these is better.
+constexpr double kPoorShape = 0.1;
 
 /// Classes of worst shapes between which a difference counts: a tenth of a scaled Jacobian is worth no more
 /// hexahedra.
@@ -102,6 +106,8 @@ FittedMesh measured(HexMesh mesh, const FeatureComplex& features, double size) {
   fitted.measure = sharp_feature_measure(fitted.mesh, features, size);
   const std::vector<double> shapes = scaled_jacobians(fitted.mesh);
   if (!shapes.empty()) fitted.least = *std::ranges::min_element(shapes);
+  fitted.poor = static_cast<std::size_t>(
+      std::ranges::count_if(shapes, [](double shape) { return shape < kPoorShape; }));
   fitted.invalid = static_cast<std::size_t>(std::ranges::count(inverted_hexahedra(fitted.mesh), 1));
   return fitted;
 }
@@ -243,7 +249,7 @@ bool is_better_fit(const FittedMesh& mesh, const FittedMesh& other) {
     const auto lost = lost_features(one.measure);
     return std::tuple(one.invalid == 0, is_usable, -static_cast<double>(lost),
                       -static_cast<double>(one.measure.lacking.size() - lost), class_of(one.least),
-                      -static_cast<double>(one.mesh.hexahedra.size()));
+                      -std::bit_width(one.poor), -static_cast<double>(one.mesh.hexahedra.size()));
   };
   return worth(mesh) > worth(other);
 }

@@ -24,6 +24,7 @@ struct FittedMesh {
   HexMesh mesh;
   FeatureMeasure measure;
   double least = 0;         ///< scaled Jacobian
+  std::size_t poor = 0;     ///< hexahedra below a scaled Jacobian of a tenth
   std::size_t invalid = 0;  ///< hexahedra that are not valid (is_valid)
 
   /// Whether nothing better is looked for.
@@ -47,7 +48,7 @@ enum class FitWays { kAll, kLayersOnly };
 /// angles need them. A way is tried only if those before have lost something, or have shapes below
 /// kGoodShape; and none on a mesh that touches itself in an edge or a vertex. The best is valid; then it
 /// lacks the fewest features; then is near the surface; then its worst hexahedron is of the better class;
-/// then it has fewer hexahedra.
+/// then it has less than half as many poor ones; then fewer hexahedra.
 ///
 /// `size` is about the edge of the hexahedra. Quads have the number of the model's face that they lie on.
 /// Old vertices and hexahedra keep their numbers. Regions stay; hexahedra of all regions are one solid here.

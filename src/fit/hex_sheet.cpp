@@ -176,6 +176,23 @@ void SheetInsertion::apply(const std::vector<std::array<std::uint32_t, 8>>& laye
   for (const std::uint32_t side : sheet_.sides) mesh_.regions.push_back(mesh_.regions[side / 6]);
 }
 
+/// Marks pairs of sides within the set that are both in its sheet and around an edge of which the set closes
+/// up: the two hexahedra on them would share two faces. Returns whether there are any.
+bool mark_folded(const SheetFans& fans, const HexSheet& sheet, const std::vector<std::uint32_t>& opposite,
+                 std::vector<std::uint8_t>& is_folded) {
+  bool has_any = false;
+  for (const std::uint32_t side : sheet.sides) {
+    const std::uint32_t other = opposite[side];
+    if (other == kNoSide || !fans.is_in_sheet(other)) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (fans.end_of_fan(side, k, [](std::uint32_t) {}) != other) continue;
+      is_folded[side] = is_folded[other] = 1;
+      has_any = true;
+    }
+  }
+  return has_any;
+}
+
 /// Adds all hexahedra at some edges to a set. Returns whether there were any.
 bool fill_crowded_edges(const HexMesh& mesh, std::vector<std::array<std::uint32_t, 2>> edges,
                         std::vector<std::uint8_t>& is_in_set) {
@@ -198,16 +215,19 @@ HexSheet sheet_around(const HexMesh& mesh, std::vector<std::uint8_t> is_shrunk,
                       const std::vector<std::uint32_t>& opposite,
                       const std::function<bool(std::uint32_t side)>& is_covered) {
   HexSheet sheet{std::move(is_shrunk), {}, false};
+  std::vector<std::uint8_t> is_folded(opposite.size(), 0);
   for (;;) {
     sheet.sides.clear();
     for (std::uint32_t side = 0; side < opposite.size(); ++side) {
-      if (!sheet.is_shrunk[side / 6]) continue;
+      if (!sheet.is_shrunk[side / 6] || is_folded[side]) continue;
       const std::uint32_t other = opposite[side];
       const bool is_border = other != kNoSide && !sheet.is_shrunk[other / 6];
       if (is_border || is_covered(side) || (other != kNoSide && is_covered(other)))
         sheet.sides.push_back(side);
     }
-    const auto crowded = SheetFans(mesh, sheet, opposite).crowded_edges(sheet);
+    SheetFans fans(mesh, sheet, opposite);
+    if (mark_folded(fans, sheet, opposite, is_folded)) continue;
+    const auto crowded = fans.crowded_edges(sheet);
     if (!fill_crowded_edges(mesh, crowded, sheet.is_shrunk)) {
       sheet.is_crowded = !crowded.empty();
       return sheet;

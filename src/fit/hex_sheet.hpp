@@ -30,7 +30,8 @@ struct HexSheet {
 };
 
 /// Returns the sheet around a set, which also covers those sides on the boundary, or of pairs within the set,
-/// for which `is_covered(side)`. A pair is covered if one of the two is. `opposite`: `opposite_sides(mesh)`.
+/// for which `is_covered(side)`. A pair is covered if one of the two is, but for those around an edge of
+/// which the set closes up, on which two hexahedra would share two faces. `opposite`: `opposite_sides(mesh)`.
 /// Where the set touches itself in an edge whose two ends have one twin each, it takes in all hexahedra
 /// there, since several quads of the layer would be one.
 HexSheet sheet_around(const HexMesh& mesh, std::vector<std::uint8_t> is_shrunk,

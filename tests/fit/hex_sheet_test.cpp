@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <random>
@@ -234,6 +235,29 @@ TEST(HexSheet, AroundRandomSetsConformsKeepsVolumeAndIsValidWhereThereIsAWayInsi
   }
   EXPECT_GT(sheets_valid, 10u);
   EXPECT_GT(set_hexahedra, 60u * 80);
+}
+
+/// Sides of all cubes towards x, of pairs for which is_chosen(y, z) of the second cube.
+HexSheet sheet_at_plane(const HexMesh& block, const std::vector<std::uint32_t>& opposite,
+                        const std::function<bool(double y, double z)>& is_chosen) {
+  return sheet_around(block, std::vector<std::uint8_t>(block.hexahedra.size(), 1), opposite,
+                      [&](std::uint32_t side) {
+                        Vector3 centre{0, 0, 0};
+                        for (const std::uint32_t v : corners_of_side(block, side))
+                          centre += 0.25 * block.vertices[v];
+                        return centre[0] == 1 && is_chosen(centre[1], centre[2]);
+                      });
+}
+
+TEST(HexSheet, LeavesOutPairsWithinASetThatWouldShareTwoFaces) {
+  const HexMesh block = lattice_mesh({3, 3, 3}, [](int, int, int) { return 1; });
+  const std::vector<std::uint32_t> opposite = opposite_sides(block);
+  EXPECT_EQ(sheet_at_plane(block, opposite, [](double, double) { return true; }).sides.size(), 2u * 9)
+      << "from side to side";
+  EXPECT_TRUE(
+      sheet_at_plane(block, opposite, [](double y, double z) { return y == 1.5 && z == 1.5; }).sides.empty());
+  EXPECT_TRUE(sheet_at_plane(block, opposite, [](double y, double) { return y < 2; }).sides.empty())
+      << "its end is inside";
 }
 
 TEST(HexSheet, InsideASetMayCoverASideBetweenTwoOfIt) {
