@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -33,7 +34,7 @@ auto flaws_of(const HexReport& report) {
   const std::size_t lacking = report.features ? report.features->lacking.size() : SIZE_MAX;
   const double least = report.quality.least;
   return std::tuple(report.outcome, least < kPoorestShape, lacking, least < 0.1, least < kGoodShape,
-                    report.hexahedra);
+                    std::bit_width(report.quality.below_tenth), report.hexahedra);
 }
 
 bool is_good(const HexReport& report) {
@@ -48,6 +49,7 @@ class Search {
         surface_(outer_surface(model.features)),
         shells_(euler_numbers_of_shells(model.features.triangles)),
         holes_(holes_of(model.features)),
+        lines_(soft_lines_of(model.features)),
         monitor_(monitor),
         on_end_(on_end),
         asked_size_(size),
@@ -145,17 +147,19 @@ class Search {
   /// and around these.
   Lattice lattice_at(double size) {
     const WatchedLoops watched(monitor_, Stops::kHeeded);
-    Lattice lattice = lattice_of(surface_, size, {.fine = fine_});
-    std::vector<NarrowFeatures> narrow = {{.walls = true, .fine = fine_}};
-    if (!holes_.empty()) {
-      narrow.push_back({.walls = true, .holes = holes_, .fine = fine_});
-      narrow.push_back({.walls = true, .holes = holes_, .have_rings = true, .fine = fine_});
-    }
-    for (const NarrowFeatures& features : narrow) {
-      if (lattice.shells == shells_) break;
-      Lattice other = lattice_of(surface_, size, features);
+    NarrowFeatures narrow{.fine = fine_, .lines = lines_};
+    Lattice lattice = lattice_of(surface_, size, narrow);
+    const auto try_narrow = [&] {
+      if (lattice.shells == shells_) return;
+      Lattice other = lattice_of(surface_, size, narrow);
       if (other.shells == shells_) lattice = std::move(other);
-    }
+    };
+    narrow.walls = true;
+    try_narrow();
+    narrow.holes = holes_;
+    if (!holes_.empty()) try_narrow();
+    narrow.have_rings = true;
+    if (!holes_.empty()) try_narrow();
     return lattice;
   }
 
@@ -238,7 +242,7 @@ class Search {
   const FittingModel& model_;
   const Surface surface_;
   const std::vector<int> shells_;
-  const std::vector<std::vector<Vector3>> holes_;
+  const std::vector<std::vector<Vector3>> holes_, lines_;
   const Monitor& monitor_;
   const std::function<void(const HexAttemptEnd&)>& on_end_;
   const double asked_size_, expected_;

@@ -27,7 +27,7 @@ struct LatticeHexahedra {
 /// times; then smaller sizes follow (kSmallerLattice), until all is kept with good shapes, or their cells
 /// would be more than kMostOfLattice times those of the size; lattices of another topology than the model are
 /// left out if there is one of the same. The best is all-hex; then the one that lacks less; then the better
-/// shaped, by classes; then the one with fewer hexahedra.
+/// shaped, by classes and then by the number of poor ones; then the one with fewer hexahedra.
 ///
 /// Throws Error(kLimit); Error(kInterrupted) by the monitor, and by a stop before there is a mesh: else a
 /// stop returns the best so far.

@@ -2,6 +2,7 @@
 #include "lattice/holes.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
@@ -40,6 +41,16 @@ std::vector<std::vector<Vector3>> holes_of(const FeatureComplex& features) {
     if (wall.area > 0 && norm(wall.towards) <= kMostOneSided * wall.area)
       holes.push_back(std::move(wall.points));
   return holes;
+}
+
+std::vector<std::vector<Vector3>> soft_lines_of(const FeatureComplex& features) {
+  std::vector<std::vector<Vector3>> lines;
+  for (const FeatureComplex::Curve& curve : features.curves) {
+    if (!curve.is_soft) continue;
+    std::vector<Vector3>& line = lines.emplace_back();
+    for (const std::uint32_t v : curve.vertices) line.push_back(features.vertices[v]);
+  }
+  return lines;
 }
 
 }  // namespace crossgrain

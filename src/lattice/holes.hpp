@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holes, slots and bosses of a model.
+// Holes, slots and bosses of a model, and the borders of its fillets.
 #pragma once
 
 #include <vector>
@@ -12,5 +12,8 @@ namespace crossgrain {
 /// Returns the points of each hole, slot and boss with a smooth wall: of faces, together with those across
 /// soft curves, whose normals look to all sides alike.
 std::vector<std::vector<Vector3>> holes_of(const FeatureComplex& features);
+
+/// Returns the points of each soft curve, such as the border of a fillet.
+std::vector<std::vector<Vector3>> soft_lines_of(const FeatureComplex& features);
 
 }  // namespace crossgrain

@@ -94,15 +94,17 @@ Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& na
   lattice.axes = lattice_axes(surface);
   const Surface along = turned(surface, lattice.axes);
   NarrowPlanes of_narrow{narrow.walls, {}, narrow.fine};
+  const auto box_along = [&](const std::vector<Vector3>& line) {
+    std::vector<Vector3> points;
+    for (const Vector3& p : line) points.push_back(rotate(conjugate(lattice.axes), p));
+    return box_of(points);
+  };
+  for (const std::vector<Vector3>& line : narrow.lines) of_narrow.lines.push_back(box_along(line));
   for (FinePlace& place : of_narrow.fine) {
     place.at = rotate(conjugate(lattice.axes), place.at);
     place.normal = rotate(conjugate(lattice.axes), place.normal);
   }
-  for (const std::vector<Vector3>& hole : narrow.holes) {
-    std::vector<Vector3> points;
-    for (const Vector3& p : hole) points.push_back(rotate(conjugate(lattice.axes), p));
-    of_narrow.holes.push_back(box_of(points));
-  }
+  for (const std::vector<Vector3>& hole : narrow.holes) of_narrow.holes.push_back(box_along(hole));
   if (narrow.have_rings) add_rings(of_narrow.holes);
   const LatticePlanes planes = lattice_planes(along, size, of_narrow);
   require_memory_of(planes);

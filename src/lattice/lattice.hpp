@@ -23,6 +23,9 @@ struct NarrowFeatures {
   bool have_rings = false;
 
   std::vector<FinePlace> fine = {};  ///< places with planes nearer to each other, as the surface lies
+
+  /// Points of lines, such as the border of a fillet, that lie in a plane each if they can.
+  std::vector<std::vector<Vector3>> lines = {};
 };
 
 struct Lattice {

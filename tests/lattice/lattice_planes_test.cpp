@@ -79,6 +79,17 @@ TEST(LatticePlanes, AreNearerAtFinePlacesAndGrowApartSlowly) {
   EXPECT_GT(all.cells(1), planes.cells(1));
 }
 
+TEST(LatticePlanes, LieAtLinesThatAreLongAndNotNearToOthers) {
+  const Surface box = surface_of(make_box({10, 10, 10}));
+  const auto has_plane_at = [&](double x, const Box& line) {
+    return has(lattice_planes(box, 1, {.lines = {line}}).at[0], x);
+  };
+  EXPECT_TRUE(has_plane_at(1.7, {{1.7, -4, 3}, {1.7, 4, 3}}));
+  EXPECT_FALSE(has_plane_at(1.7, {{1.7, 0, 3}, {1.7, 1, 3}})) << "short";
+  EXPECT_FALSE(has_plane_at(4.6, {{4.6, -4, 3}, {4.6, 4, 3}})) << "near to the border";
+  EXPECT_FALSE(has_plane_at(1.7, {{1.4, -4, 3}, {2, 4, 3}})) << "not across";
+}
+
 TEST(PlaneDistance, CountsWhatItPlaces) {
   const PlaneDistance distance(2, {{{1, 0, 0}, 0.25}, {{3, 0, 0}, 0.5}}, 0);
   EXPECT_EQ(distance.at(1), 0.25);
