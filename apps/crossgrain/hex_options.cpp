@@ -30,12 +30,17 @@ void add_ways(CLI::App& command, SolveArguments& arguments) {
       command, "--prefer", parse_preference, [&preference](HexPreference chosen) { preference = chosen; },
       "features, map or lattice",
       "Which mesh is better: the one that keeps more of the model (features, the default: a lattice is made "
-      "after 40 seconds of maps, or if a map's mesh lacks something), any of a map (map: all maps are tried "
-      "first), or a lattice (lattice: it is made first)")
+      "if the first maps do not keep it, then more maps are tried for 20 to 40 seconds of work), any of a "
+      "map "
+      "(map: all maps are tried first), or a lattice (lattice: it is made first)")
       ->type_name("features|map|lattice")
       ->excludes(lattice)
       ->excludes(maps);
   maps->excludes(lattice);
+  command
+      .add_flag("--thorough", arguments.hexahedra->hexahedra.thorough,
+                "Go on with maps for up to ten minutes of work although there is a lattice")
+      ->excludes(lattice);
 }
 
 }  // namespace

@@ -203,6 +203,8 @@ void ProgressLines::end_attempt(const HexAttemptEnd& ended) {
     text = fmt::format("ends as attempt {} did", ended_.attempt);
   else if (!ended.fault.empty() && ended.fault == ended_.fault)
     text = "the same" + text.substr(ended.fault.size());
+  else if (!ended.fault.empty())
+    text = "no mesh: " + text;
   if (!ended.next.empty()) text += "; trying " + ended.next;
   if (!ended.over.empty()) text += "; " + ended.over;
   write(fmt::format("attempt {}: {}\n", ended.attempt, text));

@@ -64,8 +64,9 @@ struct HexReport {
   double remedy_hexahedra = 0;    ///< forecast of their number, where the remedy is kUseHexSize
   std::vector<Vector3> places;    ///< where: of what `detail` counts, the worst first, at most kMostPlaces
   double size = 0;                ///< of the hexahedra that were asked for
-  double used_size = 0;
-  double expected = 0;  ///< number of hexahedra of `size`, as forecast before the work
+  double used_size = 0;           ///< that they were made of: edges of the map's grid, or of a lattice
+  double mean_edge = 0;           ///< of the hexahedra that there are: mean length of their edges
+  double expected = 0;            ///< number of hexahedra of `size`, as forecast before the work
 
   std::size_t hexahedra = 0, vertices = 0;
   std::size_t bodies = 0;    ///< sets of hexahedra connected over faces
@@ -126,8 +127,9 @@ struct HexReport {
   }
 };
 
-/// Returns the report as a sentence: "all-hex: 1268 of 2", what a part lacks, with reason and remedy, whether
-/// the search was stopped, and their size and number beside those expected where they differ.
+/// Returns the report as a sentence: "all-hex: 1268 hexahedra, mean edge 2", what a part lacks, with reason
+/// and remedy, whether the search was stopped, and their size and number beside those expected where they
+/// differ.
 std::string sentence_of(const HexReport& report);
 
 /// Returns the sentence with other words for the remedy.

@@ -20,12 +20,12 @@ namespace crossgrain {
 /// Which of two meshes is better: one that follows the field, by a map, or cells of a lattice that are put
 /// onto the model. A lattice has more hexahedra, which are aligned to three directions all over the model.
 enum class HexPreference : int {
-  /// What keeps more of the model: a lattice is made only where maps have not led to an all-hex mesh with
-  /// their
-  /// share of the work (40 seconds of two cores), and is taken if it keeps more.
+  /// What keeps more of the model: a lattice is made where the first maps lead to no all-hex mesh. Others
+  /// follow for a share of work (20 seconds of two cores, 40 where the lattice lacks something); the mesh of
+  /// one that is all-hex is taken, since it has fewer hexahedra.
   kFeatures,
   kMap,      ///< a map that fills the model; a lattice where there is none, after all maps were tried
-  kLattice,  ///< a lattice, before any map is tried; maps where it keeps less than all
+  kLattice,  ///< a lattice, before any map is tried; maps where it keeps less than all, in good shapes
   kMapOnly   ///< no lattice is made
 };
 
@@ -37,6 +37,9 @@ struct HexOptions {
 
   HexPreference preference = HexPreference::kFeatures;
 
+  /// Whether maps get ten minutes of work although there is a lattice.
+  bool thorough = false;
+
   int threads = 0;  ///< 0 for all; the result does not depend on it
 };
 
@@ -45,8 +48,8 @@ struct HexAttemptEnd {
   std::size_t attempt = 0, tets = 0, most_tets = 0;  ///< as Progress
   HexOutcome outcome = HexOutcome::kNone;
   std::size_t hexahedra = 0;
-  std::string text;    ///< such as "layers of hexahedra are folded at 1 2 3, near face 4"
-  std::string fault;   ///< what the text begins with, before a place: "layers of hexahedra are folded"
+  std::string text;    ///< such as "hexahedra would be flat at 1 2 3"
+  std::string fault;   ///< what the text begins with, before a place: "hexahedra would be flat"
   std::string next;    ///< what is tried next, such as "tets of 2.1"; empty if nothing is
   std::string over;    ///< why nothing is, unless the mesh is good
   double seconds = 0;  ///< that it took

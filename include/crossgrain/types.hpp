@@ -61,6 +61,7 @@ struct ModelFace {
 
   /// Faces of hexahedra on it; none without hexahedra, and for faces inside the model.
   std::optional<std::size_t> quads = {};
+  std::optional<double> quads_area = {};  ///< of all of them
 };
 
 /// Volume and area of a model; of several solids the sum, without the faces between them. 0 if unknown.

@@ -64,6 +64,7 @@ enum class WarningKind : int {
 
   // Hexahedra.
   kFacesWithoutQuads,  ///< faces of the model have none
+  kFacesOff,           ///< the quads of faces cover another area than these
   kPoorFit,            ///< they miss much of the model's volume, or are far from its surface
   kAttemptLimited,     ///< an attempt at better ones ended at a limit, such as that of memory
 

@@ -43,7 +43,7 @@ CROSSGRAIN_OPTIONS(MapPreparationOptions, unite_solids)
 CROSSGRAIN_OPTIONS(TetMakingOptions, size, edges, maker, edges_per_circle, crease_angle_deg, seconds,
                    max_memory_bytes, read_seconds, glue, unit)
 CROSSGRAIN_OPTIONS(RepairOptions, moves_vertices, max_memory_bytes)
-CROSSGRAIN_OPTIONS(HexOptions, size, cells, preference, threads)
+CROSSGRAIN_OPTIONS(HexOptions, size, cells, preference, thorough, threads)
 
 template <class Visit>
 void for_each_option(HexMeshingOptions& options, const Visit& visit) {

@@ -29,9 +29,8 @@ std::unique_ptr<AttemptKind> part_of_model(const HexTuning& tuning);
 /// whole. Other tets come first, where there are some: they may have a map at the size that was asked for.
 std::unique_ptr<AttemptKind> smaller_hexahedra(const HexOptions& options, const HexTuning& tuning);
 
-/// The attempt at lattices of the model (lattice_hexahedra), which follow no field: once the work of maps is
-/// HexTuning::map_work, or one of them is approximate, or nothing else is left; by HexOptions::preference
-/// before or after that, or never.
-std::unique_ptr<AttemptKind> lattice_attempt(const HexOptions& options, const HexTuning& tuning);
+/// The attempt at lattices of the model (lattice_hexahedra), which follow no field: once the first maps have
+/// led to no good mesh; by HexOptions::preference before or after all maps, or never.
+std::unique_ptr<AttemptKind> lattice_attempt(const HexOptions& options);
 
 }  // namespace crossgrain

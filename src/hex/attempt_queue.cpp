@@ -8,6 +8,7 @@
 
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
+#include "fit/feature_fit.hpp"
 #include "hex/hex_report.hpp"
 
 namespace crossgrain {
@@ -33,8 +34,15 @@ void AttemptQueue::tell_more(Progress& progress) const {
 
 bool AttemptQueue::is_done() const {
   if (!best_) return false;
-  if (is_good(*best_, least_quality_) || best_->ends_search()) return true;
+  if (best_->lattice) return false;  // ended by the work of maps
+  if (is_good(*best_, least_quality_)) return true;
   return ends_at_approximate_ && best_->is_filled() && best_->made->quality.least >= least_quality_;
+}
+
+double AttemptQueue::allowed_work() const {
+  if (!lattice_ || !lattice_->made->are_complete()) return most_work_;
+  const bool is_good_lattice = is_good(*lattice_, kGoodShape);
+  return std::min(most_work_, beside_lattice_[is_good_lattice ? 1 : 0]);
 }
 
 void AttemptQueue::run() {
@@ -73,6 +81,8 @@ std::size_t AttemptQueue::most_rounds() const {
 std::string AttemptQueue::why_over() const {
   if (is_done()) return "";
   if (is_stopped_) return "the search was stopped";
+  if (best_ && best_->lattice)
+    return attempts_.back().is_of_lattice() ? "" : "maps have had their share of the work";
   return is_exhausted() ? "the work of a search is done" : "nothing else is left to try";
 }
 
@@ -84,8 +94,7 @@ void AttemptQueue::tell_ends(const AttemptKind* next) {
       ends_.back().over = why_over();
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       HexAttemptEnd& end = ends_[k];
-      if (k + 1 < ends_.size() && end.next.empty())
-        end.next = fmt::format("{} (attempt {}, beside this one)", plan_, ends_[k + 1].attempt);
+      if (k + 1 < ends_.size() && end.next.empty()) end.next = plan_;
       end.tets = round_ + 1;
       end.most_tets = most_rounds();
       on_end_(end);
@@ -119,7 +128,8 @@ void AttemptQueue::make(AttemptKind& kind) {
     if (error.kind() == ErrorKind::kInterrupted && !is_ended_by_stop()) throw;
     add_failure(kind, error, stopwatch.restart());
   }
-  for (std::size_t k = before; k < attempts_.size(); ++k) work_ += attempts_[k].work;
+  for (std::size_t k = before; k < attempts_.size(); ++k)
+    if (!attempts_[k].is_of_lattice()) work_ += attempts_[k].work;
 }
 
 /// Whether a stop ends the search with the mesh that there is.
@@ -171,13 +181,18 @@ void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
 
 void AttemptQueue::keep_if_better(const std::shared_ptr<const HexCandidate>& candidate) {
   if (is_done()) return;
-  const std::size_t round = candidate->attempt.round;
-  if (of_rounds_.size() <= round) of_rounds_.resize(round + 1);
-  if (of_rounds_[round] && !is_better_in_round(*candidate, *of_rounds_[round], least_quality_)) return;
-  of_rounds_[round] = candidate;
+  if (candidate->lattice) {
+    lattice_ = candidate;
+  } else {
+    const std::size_t round = candidate->attempt.round;
+    if (of_rounds_.size() <= round) of_rounds_.resize(round + 1);
+    if (of_rounds_[round] && !is_better_in_round(*candidate, *of_rounds_[round], least_quality_)) return;
+    of_rounds_[round] = candidate;
+  }
   best_.reset();
   for (const auto& one : of_rounds_)
     if (one && (!best_ || is_better(*one, *best_, least_quality_))) best_ = one;
+  if (lattice_ && (!best_ || is_better(*lattice_, *best_, least_quality_))) best_ = lattice_;
 }
 
 void AttemptQueue::start_on(StartingField field) {

@@ -2,6 +2,8 @@
 // Attempts at hexahedra, one after the other, until one is good.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -76,9 +78,9 @@ struct StartingField {
 };
 
 /// The only search: what is due first is made first, of what is due at the same time the kind that was added
-/// first. It ends with a good candidate (is_good) or one that ends it (HexCandidate::ends_search), when
-/// nothing is due, or once the work of all attempts is `most_work` and there is a mesh, but for last resorts.
-/// Work is counted, never timed, so that results are the same on every machine.
+/// first. It ends with a good candidate (is_good) of a map, when nothing is due, or once the work of all
+/// attempts is `most_work`, or less beside a lattice (limit_maps_beside_lattice), and there is a mesh, but
+/// for last resorts. Work is counted, never timed, so that results are the same on every machine.
 class AttemptQueue {
  public:
   /// The monitor must outlive the queue.
@@ -90,6 +92,10 @@ class AttemptQueue {
   /// thrown if there is no mesh yet, and kInterrupted always but after a stop that the monitor allows: that
   /// is the end, if there is a mesh.
   void run();
+
+  /// Sets the work of maps after which nothing but last resorts is tried once there is a lattice that fills
+  /// the model: `if_good` where it keeps all of it with good shapes, which maps only improve on. 0: nothing.
+  void limit_maps_beside_lattice(double work, double if_good) { beside_lattice_ = {work, if_good}; }
 
   /// Takes candidates for good although they do not keep all of the model.
   void end_at_approximate() { ends_at_approximate_ = true; }
@@ -133,9 +139,9 @@ class AttemptQueue {
   /// Seconds of the steps of all of them.
   const HexSeconds& seconds() const { return seconds_; }
 
-  /// The work of all attempts so far, and whether it is the most.
+  /// The work of all attempts at maps so far, and whether it is the most.
   double work() const { return work_; }
-  bool is_exhausted() const { return work_ >= most_work_ && best_; }
+  bool is_exhausted() const { return best_ && work_ >= allowed_work(); }
 
   double most_work() const { return most_work_; }
   double least_quality() const { return least_quality_; }
@@ -156,6 +162,7 @@ class AttemptQueue {
   std::size_t most_rounds() const;
   void keep_if_better(const std::shared_ptr<const HexCandidate>& candidate);
   bool is_done() const;
+  double allowed_work() const;
   void tell_more(Progress& progress) const;
 
   double most_work_, least_quality_, work_ = 0;
@@ -174,7 +181,8 @@ class AttemptQueue {
   std::vector<std::unique_ptr<AttemptKind>> kinds_;
   std::size_t rounds_ = 0;
   std::optional<StartingField> start_;
-  std::shared_ptr<const HexCandidate> best_;
+  std::shared_ptr<const HexCandidate> best_, lattice_;
+  std::array<double, 2> beside_lattice_{INFINITY, INFINITY};  ///< most work of maps, and where it is good
   std::vector<std::shared_ptr<const HexCandidate>> of_rounds_;
   std::vector<HexAttempt> attempts_;
   std::optional<Error> limit_;

@@ -56,9 +56,6 @@ struct HexCandidate {
   std::string text = {}, next = {};  ///< how it ended and what follows, of one of several in a row
   HexSeconds seconds = {};
 
-  /// Whether nothing else is tried after it: a lattice is made when maps have had their share of the work.
-  bool ends_search() const { return lattice && made && made->are_complete(); }
-
   /// Whether the hexahedra fill the model, and are not far fewer than asked for.
   bool is_filled() const { return made && made->are_complete() && !made->is_coarse; }
 };

@@ -93,14 +93,15 @@ Explanation explanation_of(const HexCandidate& best, const HexReport& report) {
     return fault;
   }
   if (attempt.arcs_without_length > 0)
-    return {"layers of hexahedra would have no thickness",
+    return {"hexahedra would be flat",
             fmt::format("none: {} would have no length, since both ends are on one layer of hexahedra",
                         counted(attempt.arcs_without_length, "singular arc")),
             Remedy::kNone, best.followed->arcs_without_length()};
   const std::size_t flips = attempt.flips.value_or(0);
   if (flips > 0) {
     const bool by_rounding = attempt.is_folded_by_rounding();
-    return {by_rounding ? "hexahedra of this size are folded" : "layers of hexahedra are folded",
+    return {by_rounding ? "hexahedra of this size would be turned inside out"
+                        : "hexahedra would be turned inside out",
             fmt::format("{} inverted{}", counted(flips, "tet stays", "tets stay"),
                         by_rounding ? " with whole numbers of hexahedra" : ""),
             Remedy::kNone, places_of_flips(best.followed->solid(), best.following->determinants)};
@@ -196,6 +197,7 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
 void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport& report) {
   report.hexahedra = mesh.hexahedra.size();
   report.vertices = mesh.vertices.size();
+  report.mean_edge = mean_edge(mesh);
   report.bodies = count_bodies(mesh);
   const HexTopology topology = topology_of(mesh);
   report.crowded_faces = topology.crowded_faces;

@@ -38,8 +38,8 @@ struct EndWords {
   std::string text, fault;
 };
 
-/// Returns how an attempt ended, in a line: "layers of hexahedra are folded at 1 2 3", or "1268 hexahedra
-/// fill the model".
+/// Returns how an attempt ended, in a line: "hexahedra would be turned inside out at 1 2 3", or "1268
+/// hexahedra fill the model".
 EndWords end_of(const HexCandidate& candidate, double least_quality);
 
 }  // namespace crossgrain

@@ -46,8 +46,8 @@ void choose_size(const std::vector<ModelFace>& faces, const TetSolid& solid, Hex
 /// Adds what faces without quads and the fit say of hexahedra that fill the model.
 void warn_of_fit(const TetSolid& solid, bool fills, const HexReport& report, SolveReport& whole) {
   if (!fills) return;
-  for (std::optional<Warning>& warning :
-       std::array{faces_without_quads(whole.faces, solid, report), poor_fit(report)})
+  for (std::optional<Warning>& warning : std::array{faces_without_quads(whole.faces, solid, report),
+                                                    faces_off(whole.faces, report), poor_fit(report)})
     if (warning) whole.warnings.push_back(std::move(*warning));
 }
 
@@ -123,6 +123,22 @@ std::vector<std::uint32_t> centre_tets(const HexMesh& mesh, double size, const T
   return tets;
 }
 
+/// What to know of a field that no hexahedra follow.
+bool is_of_field(const Warning& warning) {
+  switch (warning.kind) {
+    case WarningKind::kRefusedSplits:
+    case WarningKind::kCrowdedCorners:
+    case WarningKind::kKnifeEdges:
+    case WarningKind::kThinWalls:
+    case WarningKind::kExcludedSurface:
+    case WarningKind::kNotSettled:
+    case WarningKind::kTetsNotSettled:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// The same where the best is of a lattice.
 Hexahedra best_lattice(const AttemptQueue& queue) {
   HexCandidate best = *queue.best();
@@ -150,7 +166,9 @@ Hexahedra best_lattice(const AttemptQueue& queue) {
   mesh.is_partial = is_partial(report.outcome);
   count_quads(mesh, whole.faces);
   choose_size(whole.faces, solid, report);
+  std::erase_if(whole.warnings, is_of_field);
   whole.warnings.insert(whole.warnings.end(), best.lattice->warnings.begin(), best.lattice->warnings.end());
+  if (auto off = faces_off(whole.faces, report)) whole.warnings.push_back(*std::move(off));
   whole.hexahedra = std::move(report);
   whole.answer.is_meshed = true;
   return {std::move(mesh), field.with_report(std::move(whole)), {}};
@@ -239,7 +257,11 @@ Hexahedra best_of_attempts(const std::function<void(AttemptQueue&)>& begin, cons
   queue.add(repaired_fields(tuning));
   queue.add(part_of_model(tuning));
   queue.add(smaller_hexahedra(options, tuning));
-  queue.add(lattice_attempt(options, tuning));
+  queue.add(lattice_attempt(options));
+  if (options.preference == HexPreference::kLattice)
+    queue.limit_maps_beside_lattice(tuning.map_work, 0);
+  else if (!options.thorough)
+    queue.limit_maps_beside_lattice(tuning.map_work, tuning.map_work_beside_good);
   begin(queue);
   {
     const WatchedLoops watched(queue.monitor(), Stops::kHeeded);

@@ -19,7 +19,7 @@ FittingModel model_of(const TetDomain& domain) {
 
 class LatticeAttempt : public AttemptKind {
  public:
-  LatticeAttempt(const HexOptions& options, const HexTuning& tuning) : options_(options), tuning_(tuning) {}
+  explicit LatticeAttempt(const HexOptions& options) : options_(options) {}
 
   const char* name() const override { return kLatticeKind; }
   bool is_last_resort() const override { return true; }
@@ -41,7 +41,7 @@ class LatticeAttempt : public AttemptKind {
     for (const HexAttempt& attempt : found.report.attempts) {
       HexCandidate& candidate = candidates.emplace_back();
       candidate.attempt = attempt;
-      candidate.attempt.round = queue.rounds();  // beside those of maps, which are shown still
+      candidate.attempt.round = round(queue);
       candidate.attempt.work = kFittingWork * static_cast<double>(attempt.hexahedra);
       candidate.asked_size = start.size;
       const HexAttemptEnd& end = ends[candidates.size() - 1];
@@ -59,23 +59,20 @@ class LatticeAttempt : public AttemptKind {
   }
 
  private:
-  /// Where maps have had their share of the work, or have led to a mesh that does not keep the model.
+  /// Once the first maps have led to no mesh that keeps the model: others do so seldom.
   bool is_due_now(const AttemptQueue& queue) const {
     if (options_.preference == HexPreference::kLattice) return true;
-    if (options_.preference == HexPreference::kMap) return false;
-    const HexCandidate* const best = queue.best();
-    return queue.work() >= tuning_.map_work || (best && best->is_filled() && !best->made->is_faithful);
+    return options_.preference != HexPreference::kMap && queue.best() != nullptr;
   }
 
   const HexOptions options_;
-  const HexTuning& tuning_;
   bool is_made_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<AttemptKind> lattice_attempt(const HexOptions& options, const HexTuning& tuning) {
-  return std::make_unique<LatticeAttempt>(options, tuning);
+std::unique_ptr<AttemptKind> lattice_attempt(const HexOptions& options) {
+  return std::make_unique<LatticeAttempt>(options);
 }
 
 }  // namespace crossgrain

@@ -9,6 +9,7 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,23 +37,15 @@ constexpr double kPoorVolume = 0.05, kPoorDistance = 0.5;
 /// What a size is suggested for: less than kPoorVolume, since a whole number of hexahedra fits around a hole.
 constexpr double kAimedVolume = 0.04;
 
+/// Share of the model's volume that is said although it is no fault.
+constexpr double kNoticedVolume = 0.02;
+
+/// Share of the area of a face by which that of its quads may be off: around a hole six quads cut off 5 %,
+/// four 10 %.
+constexpr double kPoorFaceArea = 0.15;
+
 /// Faces that a warning names.
 constexpr std::size_t kMostNamed = 5;
-
-/// Each face as four triangles around its centroid.
-TriangleMesh triangles_of(const HexMesh& mesh) {
-  TriangleMesh triangles;
-  triangles.vertices = mesh.vertices;
-  for (const HexMesh::Face& face : mesh.boundary) {
-    Vector3 centre{0, 0, 0};
-    for (const std::uint32_t v : face.vertices) centre += 0.25 * mesh.vertices[v];
-    const auto middle = static_cast<std::uint32_t>(triangles.vertices.size());
-    triangles.vertices.push_back(centre);
-    for (std::size_t k = 0; k < 4; ++k)
-      triangles.triangles.push_back({face.vertices[k], face.vertices[(k + 1) % 4], middle});
-  }
-  return triangles;
-}
 
 Farthest farthest_from(const Surface& surface, const std::vector<Vector3>& points) {
   Farthest result;
@@ -171,8 +164,22 @@ double volume_missed(const HexReport& report) {
 
 }  // namespace
 
+TriangleMesh surface_triangles(const HexMesh& mesh) {
+  TriangleMesh triangles;
+  triangles.vertices = mesh.vertices;
+  for (const HexMesh::Face& face : mesh.boundary) {
+    Vector3 centre{0, 0, 0};
+    for (const std::uint32_t v : face.vertices) centre += 0.25 * mesh.vertices[v];
+    const auto middle = static_cast<std::uint32_t>(triangles.vertices.size());
+    triangles.vertices.push_back(centre);
+    for (std::size_t k = 0; k < 4; ++k)
+      triangles.triangles.push_back({face.vertices[k], face.vertices[(k + 1) % 4], middle});
+  }
+  return triangles;
+}
+
 Farthest farthest_from(const HexMesh& mesh, const std::vector<Vector3>& points) {
-  return farthest_from(prepare_surface(CheckedMesh::derived(triangles_of(mesh))), points);
+  return farthest_from(prepare_surface(CheckedMesh::derived(surface_triangles(mesh))), points);
 }
 
 std::vector<Vector3> points_on(const std::vector<Vector3>& vertices,
@@ -217,13 +224,43 @@ void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexRep
 }
 
 void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces) {
-  std::map<std::int64_t, std::size_t> counts;
-  for (const HexMesh::Face& face : mesh.boundary) ++counts[face.tag];
-  const bool has_tags = counts.size() > counts.count(0);
+  std::map<std::int64_t, std::pair<std::size_t, double>> of_tags;
+  for (const HexMesh::Face& face : mesh.boundary) {
+    auto& [quads, area] = of_tags[face.tag];
+    ++quads;
+    area += area_of(mesh, face);
+  }
+  const bool has_tags = of_tags.size() > of_tags.count(0);
   for (ModelFace& face : faces) {
     face.quads.reset();
-    if (has_tags && face.solids == 1) face.quads = counts[face.number];
+    face.quads_area.reset();
+    if (has_tags && face.solids == 1) std::tie(face.quads, face.quads_area) = of_tags[face.number];
   }
+}
+
+std::optional<Warning> faces_off(const std::vector<ModelFace>& faces, const HexReport& report) {
+  if (is_partial(report.outcome)) return std::nullopt;
+  std::vector<std::pair<double, const ModelFace*>> off;
+  for (const ModelFace& face : faces) {
+    if (face.quads.value_or(0) == 0 || face.area < report.mean_edge * report.mean_edge) continue;
+    const double missed = std::abs(*face.quads_area - face.area);
+    if (missed > kPoorFaceArea * face.area) off.emplace_back(-missed, &face);
+  }
+  if (off.empty()) return std::nullopt;
+  std::ranges::stable_sort(off, {}, &std::pair<double, const ModelFace*>::first);
+  const FaceNoun noun = noun_of(faces);
+  std::vector<std::string> named;
+  for (std::size_t k = 0; k < std::min(off.size(), kMostNamed); ++k) {
+    const ModelFace& face = *off[k].second;
+    named.push_back(fmt::format("{} {} by {:+.0f} % of {:.3g} around {}", noun.one, face.number,
+                                100 * (*face.quads_area / face.area - 1), face.area,
+                                words_of_place(face.centre, std::cbrt(report.model_volume))));
+  }
+  if (off.size() > kMostNamed) named.push_back(fmt::format("and {} more", off.size() - kMostNamed));
+  return Warning(WarningKind::kFacesOff,
+                 fmt::format("the mesh moves the smooth border of {}, and so changes the area: {}",
+                             counted(off.size(), noun.one, noun.several), fmt::join(named, "; ")),
+                 Remedy::kTakeSmallerHexahedra);
 }
 
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
@@ -280,7 +317,8 @@ std::optional<Warning> poor_fit(const HexReport& report) {
   const double distance = is_off ? report.largest_distance : report.largest_distance_of_model;
   const Vector3& at = is_off ? report.largest_distance_place : report.largest_distance_of_model_place;
   std::vector<std::string> faults;
-  if (std::abs(missed) > kPoorVolume && is_partial(report.outcome))
+  const bool is_said = !is_partial(report.outcome) && std::abs(missed) > kPoorVolume;
+  if (std::abs(missed) > kNoticedVolume && !is_said)
     faults.push_back(fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
                                  missed < 0 ? "less" : "more"));
   if (distance > kPoorDistance * report.used_size && report.outcome != HexOutcome::kApproximate)
@@ -289,7 +327,9 @@ std::optional<Warning> poor_fit(const HexReport& report) {
                                  distance, words_of_place(at, std::cbrt(report.model_volume)),
                                  distance / report.used_size));
   if (faults.empty()) return std::nullopt;
-  return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")));
+  const bool is_whole = report.outcome == HexOutcome::kAllHex;
+  return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")),
+                 is_whole ? Remedy::kTakeSmallerHexahedra : Remedy::kNone);
 }
 
 }  // namespace crossgrain

@@ -20,6 +20,9 @@ struct Farthest {
   Vector3 place{0, 0, 0};
 };
 
+/// Returns the faces of a mesh's boundary, each as four triangles around its centroid.
+TriangleMesh surface_triangles(const HexMesh& mesh);
+
 /// The largest distance from points to the boundary of a mesh, which has one.
 Farthest farthest_from(const HexMesh& mesh, const std::vector<Vector3>& points);
 
@@ -35,7 +38,8 @@ enum class FitTo { kCommonSurface, kEachSolid };
 /// is one that knows these surfaces, otherwise to the tets.
 void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexReport& report);
 
-/// Fills in ModelFace::quads of the faces that bound the model, unless the boundary has no tags.
+/// Fills in ModelFace::quads and quads_area of the faces that bound the model, unless the boundary has no
+/// tags.
 void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces);
 
 /// Returns a size of hexahedra, of two digits, that fits across all faces without quads; none if all have
@@ -48,6 +52,10 @@ std::optional<double> size_for_faces(const std::vector<ModelFace>& faces, const 
 /// unless the report names a size already; none if all have some. `tets` and report as above.
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
                                            const HexReport& report);
+
+/// A warning with the list of faces whose quads cover another area than these, since they end off the smooth
+/// border to a neighbour; none if all cover theirs. The faces have their quads (count_quads).
+std::optional<Warning> faces_off(const std::vector<ModelFace>& faces, const HexReport& report);
 
 /// Returns how far the volume of hexahedra is off the model's: "its volume is 22 % below the model's".
 std::string words_of_volume(const HexReport& report);

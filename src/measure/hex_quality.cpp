@@ -73,16 +73,29 @@ std::vector<double> volumes_of(const HexMesh& mesh) {
   return result;
 }
 
-double boundary_area(const HexMesh& mesh) {
+double area_of(const HexMesh& mesh, const HexMesh::Face& face) {
   double sum = 0;
-  for (const HexMesh::Face& face : mesh.boundary) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Vector3& at = mesh.vertices[face.vertices[k]];
-      sum += 0.25 * norm(cross(mesh.vertices[face.vertices[(k + 1) % 4]] - at,
-                               mesh.vertices[face.vertices[(k + 3) % 4]] - at));
-    }
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector3& at = mesh.vertices[face.vertices[k]];
+    sum += 0.25 * norm(cross(mesh.vertices[face.vertices[(k + 1) % 4]] - at,
+                             mesh.vertices[face.vertices[(k + 3) % 4]] - at));
   }
   return sum;
+}
+
+double boundary_area(const HexMesh& mesh) {
+  double sum = 0;
+  for (const HexMesh::Face& face : mesh.boundary) sum += area_of(mesh, face);
+  return sum;
+}
+
+double mean_edge(const HexMesh& mesh) {
+  double sum = 0;
+  for (const auto& hexahedron : mesh.hexahedra)
+    for (const auto& [a, b] : kHexEdges)
+      sum += norm(mesh.vertices[hexahedron[a]] - mesh.vertices[hexahedron[b]]);
+  const auto edges = static_cast<double>(kHexEdges.size() * mesh.hexahedra.size());
+  return edges > 0 ? sum / edges : 0;
 }
 
 }  // namespace crossgrain

@@ -20,7 +20,13 @@ Vector3 centre_of(const HexMesh& mesh, std::size_t hexahedron);
 /// Volumes of hexahedra with trilinear sides, exact to rounding.
 std::vector<double> volumes_of(const HexMesh& mesh);
 
-/// Area of the boundary: of each face the mean of its two cuts into triangles.
+/// Area of a face: the mean of its two cuts into triangles.
+double area_of(const HexMesh& mesh, const HexMesh::Face& face);
+
+/// Area of the boundary.
 double boundary_area(const HexMesh& mesh);
+
+/// Mean length of the edges of hexahedra, those of each counted for it; 0 without hexahedra.
+double mean_edge(const HexMesh& mesh);
 
 }  // namespace crossgrain

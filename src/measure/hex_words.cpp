@@ -47,8 +47,8 @@ std::size_t added_by_fit(const HexReport& report) {
   return report.best_fit < report.fit_tries.size() ? report.fit_tries[report.best_fit].added : 0;
 }
 
-/// Returns number and size of hexahedra; of those that fill the model with what was expected where they are
-/// others, and why they are.
+/// Returns number and mean edge of hexahedra; of those that fill the model with what was expected where they
+/// are others, and why they are.
 std::string sizes_of(const HexReport& report) {
   const auto made = static_cast<double>(report.hexahedra);
   const double expected =
@@ -56,18 +56,17 @@ std::string sizes_of(const HexReport& report) {
   const bool is_whole = report.outcome == HexOutcome::kAllHex || report.outcome == HexOutcome::kApproximate;
   const bool is_smaller = report.used_size<report.size, is_more = made> kAsExpected * expected,
              is_less = made * kAsExpected < expected;
-  if (!is_whole || !(is_smaller || is_more || is_less))
-    return fmt::format(
-        "{} of {:.3g}",
-        is_whole ? std::to_string(report.hexahedra) : counted(report.hexahedra, "hexahedron", "hexahedra"),
-        report.used_size);
+  const std::string bodies =
+      report.bodies > 1 ? fmt::format(" in {}", counted(report.bodies, "body", "bodies")) : "";
+  const std::string text =
+      fmt::format("{}{}, mean edge {:.3g}", counted(report.hexahedra, "hexahedron", "hexahedra"), bodies,
+                  report.mean_edge);
+  if (!is_whole || !(is_smaller || is_more || is_less)) return text;
   const char* const reason = is_smaller ? fault_of_larger(report, expected)
                              : is_more  ? (added_by_fit(report) > 0 ? "its features need layers of them"
                                                                     : "each wall and gap has one across")
                                         : "the field leaves room for fewer";
-  const double size = is_smaller ? report.used_size : std::cbrt(report.volume / made);
-  return fmt::format("{} of {:.3g}{}, not about {:.0f} of {:.3g}: {}", report.hexahedra, size,
-                     is_smaller ? "" : " in the mean", expected, report.size, reason);
+  return fmt::format("{}, not about {:.0f} of {:.3g}: {}", text, expected, report.size, reason);
 }
 
 /// Adds to the size that is to be tried about how many hexahedra it makes.
@@ -178,7 +177,6 @@ std::string sentence_of(const HexReport& report, const std::string& remedy_words
   if (report.is_stopped) text += ", the search was stopped";
   std::string sizes;
   if (report.hexahedra > 0) sizes = sizes_of(report);
-  if (report.bodies > 1) sizes += fmt::format(" in {}", counted(report.bodies, "body", "bodies"));
   if (const std::string lacking = lacking_of(report); !lacking.empty()) sizes += ", " + lacking;
   const std::string remedy = remedy_of(report, remedy_words);
   if (report.outcome == HexOutcome::kAllHex && !report.reason.empty())

@@ -59,6 +59,7 @@ FittedHexahedra fitted_to(const HexMesh& mesh, const Read& read, const HexFitOpt
   report.hexahedra =
       fit_to_model(model.model, median_edge(mesh), FitWays::kAll, monitor, fitted.mesh, report.warnings);
   count_quads(fitted.mesh, report.faces);
+  if (auto off = faces_off(report.faces, *report.hexahedra)) report.warnings.push_back(*std::move(off));
   if (auto moved = moved_interfaces(fitted.mesh, *report.hexahedra))
     report.warnings.push_back(*std::move(moved));
   report.answer.is_meshed = true;

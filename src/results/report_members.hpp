@@ -57,7 +57,7 @@ void describe(File& file, Model& model) {
 template <class File, MaybeConst<ModelFace> Face>
 void describe(File& file, Face& face) {
   file.member("number", face.number);
-  CROSSGRAIN_MEMBERS(face, kind, area, centre, solids, quads)
+  CROSSGRAIN_MEMBERS(face, kind, area, centre, solids, quads, quads_area)
 }
 
 CROSSGRAIN_DESCRIBE(LevelStatistics, depth, cells, active_cells, sweeps, energy, seconds)
@@ -175,11 +175,11 @@ void describe(File& file, Report& hexahedra) {
   if (has_number(hexahedra.remedy)) file.member("remedy_number", hexahedra.remedy_number);
   if (hexahedra.remedy == Remedy::kUseHexSize) file.member("remedy_hexahedra", hexahedra.remedy_hexahedra);
   file.note("next", words_of(hexahedra.remedy, hexahedra.remedy_number).c_str());
-  CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, expected, hexahedra, vertices, bodies, is_coarse,
-                     left_out, left_out_place, crowded_faces, open_edges, pinched_vertices, model, volume,
-                     model_volume, area, model_area, largest_distance, largest_distance_place, mean_distance,
-                     largest_distance_of_model, largest_distance_of_model_place, interface_faces,
-                     largest_interface_distance, features, fit_tries, best_fit)
+  CROSSGRAIN_MEMBERS(hexahedra, places, size, used_size, mean_edge, expected, hexahedra, vertices, bodies,
+                     is_coarse, left_out, left_out_place, crowded_faces, open_edges, pinched_vertices, model,
+                     volume, model_volume, area, model_area, largest_distance, largest_distance_place,
+                     mean_distance, largest_distance_of_model, largest_distance_of_model_place,
+                     interface_faces, largest_interface_distance, features, fit_tries, best_fit)
   file.member("scaled_jacobian", hexahedra.quality);
   file.member("scaled_jacobian_before", hexahedra.quality_before);
   CROSSGRAIN_MEMBERS(hexahedra, inner_valences, boundary_valences, attempts, best_attempt, is_stopped)

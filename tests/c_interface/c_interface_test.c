@@ -780,7 +780,7 @@ TEST(HexahedraFillACubeOfTets) {
   crossgrain_hexahedra* hexahedra = NULL;
   OK(crossgrain_hexahedra_make_in_tets(domain, options, NULL, &hexahedra, &g_error));
   CHECK(crossgrain_hexahedra_outcome(hexahedra) == CROSSGRAIN_ALL_HEX);
-  CHECK(strstr(crossgrain_hexahedra_sentence(hexahedra), "all-hex: 8 of ") != NULL);
+  CHECK(strstr(crossgrain_hexahedra_sentence(hexahedra), "all-hex: 8 hexahedra, mean edge ") != NULL);
   CHECK(crossgrain_hexahedra_count(hexahedra) == 8 && crossgrain_hexahedra_vertex_count(hexahedra) == 27);
   CHECK(crossgrain_hexahedra_face_count(hexahedra) == 24);
   const double* vertices = crossgrain_hexahedra_vertices(hexahedra);

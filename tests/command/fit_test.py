@@ -89,7 +89,7 @@ class Fitted(FitTest):
         result = self.fit("mesh.mesh", "box.stl", "--unit", "mm")
         self.assert_succeeds(result)
         self.assertRegex(result.stdout, r"(?m)^model      4 x 3 x 2.7 mm from 0 0 0; 12 triangles$")
-        self.assertRegex(result.stdout, r"(?m)^hexahedra  all-hex: 240 of 0\.5$")
+        self.assertRegex(result.stdout, r"(?m)^hexahedra  all-hex: 240 hexahedra, mean edge 0\.5")
         self.assertRegex(result.stdout, r"(?m)^features   8 of 8 corners, 12 of 12 creases, 6 of 6 faces kept$")
         self.assertRegex(result.stdout, r"(?m)^way        fitted to the model$")
         self.assertRegex(result.stdout, r"(?m)^files      fitted: report.html, hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
@@ -159,7 +159,7 @@ class Short(FitTest):
         self.write("mesh.mesh", medit(*blocks((4, 3, 3), (4, 3, 3), without=[(1, 1, 0), (1, 1, 1), (1, 1, 2)])))
         result = self.fit("mesh.mesh", "box.stl")
         self.assertEqual(result.returncode, PARTIAL, result.stdout)
-        self.assertIn("partial: 33 hexahedra of 1; it has 1 tunnel, the model 0 tunnels",
+        self.assertIn("partial: 33 hexahedra, mean edge 1; it has 1 tunnel, the model 0 tunnels",
                       result.stdout)
         self.assertTrue((self.folder / "fitted" / "hexahedra.partial.msh").exists())
 

@@ -45,14 +45,14 @@ class OfTriangles(HexSolidsTest):
 
     def test_bodies_apart_are_two_parts_of_one_mesh(self):
         self.write("two.stl", stl_bytes(np.concatenate([box_triangles((2.0, 2.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (3, 0, 0)])))
-        self.assertRegex(self.hex("two.stl", *FEW), "all-hex: 16 of 1 in 2 bodies")
+        self.assertRegex(self.hex("two.stl", *FEW), "all-hex: 16 hexahedra in 2 bodies, mean edge 1")
 
     def test_bodies_that_meet_in_an_edge_or_a_point_are_told_so_once_in_words_of_hexahedra(self):
         box = box_triangles((2.0, 2.0, 2.0))
         for place, where in (((2, 2, 0), "an edge, where hexahedra of both share no vertices, at 2 2 1"), ((2, 2, 2), "a point, where .*, at 2 2 2")):
             with self.subTest(where):
                 self.write("two.stl", stl_bytes(np.concatenate([box, box + place])))
-                self.assertRegex(self.hex("two.stl", *FEW), "all-hex: 16 of 1 in 2 bodies")
+                self.assertRegex(self.hex("two.stl", *FEW), "all-hex: 16 hexahedra in 2 bodies, mean edge 1")
                 self.assertRegex(self.result.stderr, f"warning: two.stl: (solids|bodies) 1 and 2 meet only in {where}\n")
                 self.assertEqual([w["kind"] for w in self.report["warnings"]], ["touching_solids"])
 
@@ -61,7 +61,7 @@ class OfTriangles(HexSolidsTest):
         for copies in (2, 3):
             with self.subTest(copies=copies):
                 self.write("copies.stl", stl_bytes(np.concatenate([box] * copies + [box + (5, 0, 0)])))
-                self.assertRegex(self.hex("copies.stl", *FEW), "all-hex: 16 of 1 in 2 bodies")
+                self.assertRegex(self.hex("copies.stl", *FEW), "all-hex: 16 hexahedra in 2 bodies, mean edge 1")
                 self.assertIn(f"duplicated triangles: {12 * (copies - 1)} repeated", self.result.stderr)
 
     def test_bodies_in_one_place_are_no_success_however_their_faces_are_cut(self):
@@ -79,7 +79,7 @@ class OfTriangles(HexSolidsTest):
         at_origin = np.argwhere((triangles == 0).all(axis=2))
         triangles[tuple(at_origin[0])] = 1e-17  # a crack, which is merged
         self.write("cracked.stl", stl_bytes(triangles))
-        self.assertRegex(self.hex("cracked.stl", *FEW), "all-hex: 8 of 1")
+        self.assertRegex(self.hex("cracked.stl", *FEW), "all-hex: 8 hexahedra, mean edge 1")
         warnings = [line for line in self.result.stderr.splitlines() if "warning: " in line]
         self.assertEqual(len(warnings), 1, warnings)
         self.assertRegex(warnings[0], "cracks: ")
@@ -95,7 +95,7 @@ class OfTets(HexSolidsTest):
         self.assertRegex(line, "partial.*touch.*; mesh them together, with common vertices")
         _, first, number = np.unique(np.round(both, 9), axis=0, return_index=True, return_inverse=True)
         self.write("joined.mesh", medit_text(both[first], number.reshape(-1)[cells]))
-        self.assertRegex(self.hex("joined.mesh", "--size", "1"), "all-hex: 16 of 1$")
+        self.assertRegex(self.hex("joined.mesh", "--size", "1"), "all-hex: 16 hexahedra, mean edge 1$")
 
 
 @unittest.skipUnless(CAD_FILES, "built without OpenCASCADE")

@@ -108,7 +108,7 @@ class HexTest(CommandTest):
         self.assertAlmostEqual(made["volume"], 3.0, places=6)
         rows = [line.split()[0] for line in self.result.stdout.splitlines()]
         self.assertEqual(rows, ["model", "expected", "hexahedra", "worst", "fit", "features", "way", "files", "time"])
-        self.assertIn("hexahedra  all-hex: 192 of 0.25\nworst      scaled Jacobian 1 at ", self.result.stdout)
+        self.assertIn("hexahedra  all-hex: 192 hexahedra, mean edge 0.25\nworst      scaled Jacobian 1 at ", self.result.stdout)
         self.assertIn("fit        volume within 0.001 % and area within 0.001 % of the tets; ", self.result.stdout)
         self.assertEqual(sorted(set(FILES) & {path.name for path in (self.folder / "out").iterdir()}), FILES)
 
@@ -187,7 +187,7 @@ class HexTest(CommandTest):
         self.assertEqual(made["outcome"], "approximate")
         off = 100 * (1 - made["volume"] / made["model_volume"])
         row = next(line for line in self.result.stdout.splitlines() if line.startswith("hexahedra"))
-        self.assertRegex(row, rf"^hexahedra  approximate: \d+ of 0.5.*; its volume is {off:.2g} % below the model's; try --size [\d.]+ \(about \d+\)$")
+        self.assertRegex(row, rf"^hexahedra  approximate: \d+ hexahedra, mean edge 0.5.*; its volume is {off:.2g} % below the model's; try --size [\d.]+ \(about \d+\)$")
         self.assertEqual(made["remedy"], "use_hex_size")
         self.assertIn(f"try --size {made['remedy_number']:g} (about ", row)
         self.assertNotIn("volume than the model", self.result.stdout)

@@ -86,7 +86,7 @@ TEST(LinesOfAttempts, DoNotRepeatAFaultThatIsAtAnotherPlace) {
   {
     ProgressLines lines(ProgressForm::kLines, false);
     HexAttemptEnd end;
-    const std::string fault = "layers of hexahedra are folded";
+    const std::string fault = "hexahedra would be flat";
     for (const char* place : {" at 1 2 3", " at -1 2 3", " at -1 2 3"}) {
       ++end.attempt;
       end.fault = fault;
@@ -95,7 +95,7 @@ TEST(LinesOfAttempts, DoNotRepeatAFaultThatIsAtAnotherPlace) {
     }
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "attempt 1: layers of hexahedra are folded at 1 2 3\nattempt 2: the same at -1 2 3\n"
+            "attempt 1: no mesh: hexahedra would be flat at 1 2 3\nattempt 2: the same at -1 2 3\n"
             "attempt 3: ends as attempt 2 did\n");
 }
 

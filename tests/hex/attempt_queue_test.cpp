@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "crossgrain/error.hpp"
+#include "hex/attempt_kinds.hpp"
+#include "hex/lattice_search.hpp"
 
 namespace crossgrain {
 namespace {
@@ -102,6 +104,30 @@ std::unique_ptr<Dummy> dummy(std::vector<Dummy::Planned> planned) {
   return std::make_unique<Dummy>("a", std::move(planned));
 }
 
+/// A lattice, once there is anything else.
+class LatticeDummy : public AttemptKind {
+ public:
+  explicit LatticeDummy(double least) : least_(least) {}
+
+  const char* name() const override { return kLatticeKind; }
+  std::string plan(const AttemptQueue&) const override { return "a lattice"; }
+  std::optional<Turn> next(const AttemptQueue& queue) const override {
+    return is_over_ || !queue.best() ? std::nullopt : std::optional(Turn{});
+  }
+
+  std::vector<HexCandidate> make(AttemptQueue&) override {
+    is_over_ = true;
+    HexCandidate candidate = candidate_that_misses(0);
+    candidate.made->quality.least = least_;
+    candidate.lattice = std::make_shared<LatticeHexahedra>();
+    return {candidate};
+  }
+
+ private:
+  double least_;
+  bool is_over_ = false;
+};
+
 constexpr double kPlenty = 1e9;
 
 std::vector<std::string> kinds_of(const AttemptQueue& queue) {
@@ -119,6 +145,33 @@ TEST(AttemptQueue, TakesAFurtherKindByOneLine) {
   EXPECT_TRUE(queue.best()->is_filled());
   EXPECT_EQ(queue.attempts().front().kind, "lattice");
   EXPECT_EQ(queue.attempts().front().outcome, HexOutcome::kAllHex);
+}
+
+/// Maps of which only the last fills the model, and a lattice.
+struct BesideALattice {
+  const Monitor monitor;
+  AttemptQueue queue{kPlenty, 0.05, monitor};
+
+  explicit BesideALattice(double least_of_lattice) {
+    queue.limit_maps_beside_lattice(/*work=*/40, /*if_good=*/20);
+    const auto fails = [](std::size_t round) { return Dummy::Planned{{round, Step::kTets}, {0.5}}; };
+    queue.add(dummy({fails(1), fails(1), fails(1), {{1, Step::kTets}, {0}}, fails(1)}));
+    queue.add(std::make_unique<LatticeDummy>(least_of_lattice));
+    queue.run();
+  }
+};
+
+TEST(AttemptQueue, TriesMapsForLessWorkBesideALatticeThatIsGood) {
+  const BesideALattice good(0.5);
+  EXPECT_EQ(kinds_of(good.queue), (std::vector<std::string>{"a", kLatticeKind, "a"}));
+  EXPECT_TRUE(good.queue.best()->lattice);
+}
+
+TEST(AttemptQueue, TakesAGoodMapInPlaceOfALattice) {
+  const BesideALattice poor(0.1);
+  EXPECT_EQ(kinds_of(poor.queue), (std::vector<std::string>{"a", kLatticeKind, "a", "a", "a"}));
+  EXPECT_FALSE(poor.queue.best()->lattice);
+  EXPECT_EQ(poor.queue.best_attempt(), 4u);
 }
 
 TEST(AttemptQueue, MakesWhatIsDueFirstWhicheverKindItIs) {
@@ -291,7 +344,7 @@ TEST(AttemptQueue, TellsWhatIsTriedAtTheSameTime) {
   queue.hear_ends([&](const HexAttemptEnd& end) { ends.push_back(end); });
   queue.run();
   ASSERT_EQ(ends.size(), 2u);
-  EXPECT_EQ(ends[0].next, "a 1 (attempt 2, beside this one)");
+  EXPECT_EQ(ends[0].next, "a 1");
 }
 
 /// How the last attempt of a search ends that has a mesh which misses half of the volume.

@@ -117,7 +117,7 @@ TEST(Hexahedra, AreTheSameForAnyNumberOfThreads) {
 
 TEST(Hexahedra, SayWhatTheyAreInOneSentence) {
   const std::string text = sentence_of(hexahedra(box_field(), of_size(1)).report());
-  EXPECT_EQ(text, "all-hex: 36 of 1");
+  EXPECT_EQ(text, "all-hex: 36 hexahedra, mean edge 1");
 }
 
 TEST(Hexahedra, RefuseSizesThatAreNone) {

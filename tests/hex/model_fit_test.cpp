@@ -128,6 +128,12 @@ TEST(ModelFit, IsPoorWithMuchLessVolumeOrFarFromTheSurface) {
   EXPECT_EQ(poor_fit(report)->kind, WarningKind::kPoorFit);
   report.volume = 100.5;
   EXPECT_FALSE(poor_fit(report));
+  report.outcome = HexOutcome::kAllHex;
+  report.volume = 97;
+  EXPECT_EQ(poor_fit(report)->text, "the hexahedra have 3 % less volume than the model");
+  EXPECT_EQ(poor_fit(report)->remedy, Remedy::kTakeSmallerHexahedra);
+  report.outcome = HexOutcome::kNone;
+  report.volume = 100.5;
   report.largest_distance_of_model = 1.5;
   report.largest_distance_of_model_place = {4, 0, 2};
   EXPECT_EQ(
@@ -160,11 +166,39 @@ TEST(ModelFit, OfAWholeMeshWithMuchLessVolumeIsToldWithASizeThatBringsItNearer) 
   EXPECT_EQ(poor_fit(report)->text, "the hexahedra have 16 % more volume than the model");
 }
 
+TEST(FacesOff, AreThoseWhoseQuadsCoverAnotherArea) {
+  std::vector<ModelFace> faces(3);
+  HexReport report;
+  report.outcome = HexOutcome::kAllHex;
+  report.mean_edge = 1;
+  report.model_volume = 1000;
+  for (std::size_t k = 0; k < 3; ++k) {
+    faces[k].number = static_cast<std::int64_t>(k + 1);
+    faces[k].kind = FaceKind::kCylinder;
+    faces[k].area = 10;
+    faces[k].quads = 9;
+    faces[k].quads_area = 9;
+  }
+  EXPECT_FALSE(faces_off(faces, report)) << "chords around a hole";
+  faces[1].quads_area = 12;
+  faces[2].quads_area = 7;
+  EXPECT_EQ(
+      faces_off(faces, report)->text,
+      "the mesh moves the smooth border of 2 faces, and so changes the area: face 3 by -30 % of 10 around "
+      "0 0 0; face 2 by +20 % of 10 around 0 0 0");
+  report.mean_edge = 4;
+  EXPECT_FALSE(faces_off(faces, report)) << "faces that are smaller than a quad";
+  report.mean_edge = 1;
+  report.outcome = HexOutcome::kPartial;
+  EXPECT_FALSE(faces_off(faces, report));
+}
+
 TEST(FacesWithoutQuads, AreThoseOnTheOutsideThatNoTagNames) {
   std::vector<ModelFace> faces(3);
   for (std::size_t k = 0; k < 3; ++k) faces[k].number = static_cast<std::int64_t>(k + 1);
   faces[2].solids = 2;
   count_quads(brick({1, 1, 1}, {1, 1, 1, 1, 1, 0}), faces);
+  EXPECT_EQ(faces[0].quads_area, 5);
   EXPECT_EQ(faces[0].quads, 5u);
   EXPECT_EQ(faces[1].quads, 0u);
   EXPECT_FALSE(faces[2].quads);

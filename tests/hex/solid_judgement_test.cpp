@@ -68,7 +68,7 @@ TEST(SolidJudgement, OfBodiesThatOverlapIsFlawedWhichNothingElseSaysInOtherWords
 TEST(SolidJudgement, OfBodiesApartIsASuccessThatTellsTheirNumber) {
   const HexReport report = made_of(together({box({2, 2, 2}), moved(box({2, 2, 1}), {3, 0, 0})})).report();
   EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
-  EXPECT_EQ(sentence_of(report), "all-hex: 12 of 1 in 2 bodies");
+  EXPECT_EQ(sentence_of(report), "all-hex: 12 hexahedra in 2 bodies, mean edge 1");
 }
 
 TEST(SolidJudgement, MeasuresFacesBetweenSolidsThatAreKept) {

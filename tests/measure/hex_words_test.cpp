@@ -10,7 +10,7 @@ namespace {
 HexReport whole() {
   HexReport report;
   report.outcome = HexOutcome::kAllHex;
-  report.size = report.used_size = 2;
+  report.size = report.used_size = report.mean_edge = 2;
   report.hexahedra = 1000;
   report.volume = report.model_volume = 8000;
   report.quality.least = report.quality.mean = 1;
@@ -18,20 +18,21 @@ HexReport whole() {
 }
 
 TEST(SentenceOfHexahedra, BeginsWithAnswerNumberAndSize) {
-  EXPECT_EQ(sentence_of(whole()), "all-hex: 1000 of 2");
+  EXPECT_EQ(sentence_of(whole()), "all-hex: 1000 hexahedra, mean edge 2");
 }
 
 TEST(SentenceOfHexahedra, TellsSmallerOnesThanAskedForAndWhy) {
   HexReport report = whole();
-  report.used_size = 0.686;
+  report.used_size = report.mean_edge = 0.686;
   report.hexahedra = 24000;
   EXPECT_EQ(sentence_of(report),
-            "all-hex: 24000 of 0.686, not about 1000 of 2: larger ones would be turned inside out");
+            "all-hex: 24000 hexahedra, mean edge 0.686, not about 1000 of 2: larger ones would be turned "
+            "inside out");
 }
 
 TEST(SentenceOfHexahedra, TellsThatLargerOnesFilledTheModelBadlyShaped) {
   HexReport report = whole();
-  report.used_size = 1.4;
+  report.used_size = report.mean_edge = 1.4;
   report.hexahedra = 3000;
   HexAttempt larger;
   larger.outcome = HexOutcome::kAllHex;
@@ -39,57 +40,63 @@ TEST(SentenceOfHexahedra, TellsThatLargerOnesFilledTheModelBadlyShaped) {
   larger.hexahedra = 1285;
   report.attempts = {larger};
   EXPECT_EQ(sentence_of(report),
-            "all-hex: 3000 of 1.4, not about 1000 of 2: larger ones would be badly shaped");
+            "all-hex: 3000 hexahedra, mean edge 1.4, not about 1000 of 2: larger ones would be badly shaped");
   report.attempts[0].hexahedra = 100;
   EXPECT_EQ(sentence_of(report),
-            "all-hex: 3000 of 1.4, not about 1000 of 2: larger ones would be far fewer than expected");
+            "all-hex: 3000 hexahedra, mean edge 1.4, not about 1000 of 2: larger ones would be far fewer "
+            "than expected");
 }
 
 TEST(SentenceOfHexahedra, TellsThatSmallerHexahedraMayHelpWhereNothingElseIsKnown) {
   HexReport report = whole();
   report.outcome = HexOutcome::kPartial;
-  report.reason = "layers of hexahedra are folded at 1 2 3, near face 4";
+  report.reason = "hexahedra would be turned inside out at 1 2 3, near face 4";
   report.places = {{1, 2, 3}};
   report.attempts.resize(1);
-  const std::string begin = "partial: 1000 hexahedra of 2; " + report.reason + "; ";
+  const std::string begin = "partial: 1000 hexahedra, mean edge 2; " + report.reason + "; ";
   EXPECT_EQ(sentence_of(report), begin + "smaller hexahedra may help");
   EXPECT_EQ(sentence_of(report, "try --tet-size 2"), begin + "try --tet-size 2");
   report = whole();
   report.attempts.resize(1);
-  EXPECT_EQ(sentence_of(report), "all-hex: 1000 of 2") << "nothing is missing";
+  EXPECT_EQ(sentence_of(report), "all-hex: 1000 hexahedra, mean edge 2") << "nothing is missing";
 }
 
 TEST(SentenceOfHexahedra, TellsOfALatticeThatItIsOneAndWhyThereIsNoMap) {
   HexReport report = whole();
-  report.used_size = 1.4;
+  report.used_size = report.mean_edge = 1.4;
   report.hexahedra = 3000;
   report.attempts.resize(1);
   report.attempts[0].kind = "lattice";
   report.attempts[0].number = 1;
-  report.map_fault = "layers of hexahedra are folded at 1 2 3";
+  report.map_fault = "hexahedra would be turned inside out at 1 2 3";
   EXPECT_EQ(sentence_of(report),
-            "all-hex by a lattice: 3000 of 1.4, not about 1000 of 2: larger ones of a lattice do not keep "
+            "all-hex by a lattice: 3000 hexahedra, mean edge 1.4, not about 1000 of 2: larger ones of a "
+            "lattice do not keep "
             "the model");
-  EXPECT_EQ(way_of(report), "attempt 1 of 1: lattice; no map, since layers of hexahedra are folded at 1 2 3");
+  EXPECT_EQ(way_of(report),
+            "attempt 1 of 1: lattice; no map, since hexahedra would be turned inside out at 1 2 3");
 }
 
 TEST(SentenceOfHexahedra, TellsOtherNumbersThanExpectedAndWhy) {
   HexReport report = whole();
   report.hexahedra = 125;
+  report.mean_edge = 4;
   EXPECT_EQ(sentence_of(report),
-            "all-hex: 125 of 4 in the mean, not about 1000 of 2: the field leaves room for fewer");
+            "all-hex: 125 hexahedra, mean edge 4, not about 1000 of 2: the field leaves room for fewer");
   report.hexahedra = 8000;
+  report.mean_edge = 1;
   EXPECT_EQ(sentence_of(report),
-            "all-hex: 8000 of 1 in the mean, not about 1000 of 2: each wall and gap has one across");
+            "all-hex: 8000 hexahedra, mean edge 1, not about 1000 of 2: each wall and gap has one across");
 }
 
 TEST(SentenceOfHexahedra, TellsPoorShapesOfAPartWithTwoDigits) {
   HexReport report = whole();
   report.outcome = HexOutcome::kPartial;
   report.quality.least = 0.0041234;
-  EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra of 2; badly shaped: worst scaled Jacobian 0.0041");
+  EXPECT_EQ(sentence_of(report),
+            "partial: 1000 hexahedra, mean edge 2; badly shaped: worst scaled Jacobian 0.0041");
   report.reason = "badly shaped (worst scaled Jacobian 0.0041 at 1 2 3)";
-  EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra of 2; " + report.reason) << "said once";
+  EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra, mean edge 2; " + report.reason) << "said once";
 }
 
 TEST(SentenceOfHexahedra, TellsWhatAPartLacksAndWhere) {
@@ -98,11 +105,11 @@ TEST(SentenceOfHexahedra, TellsWhatAPartLacksAndWhere) {
   report.left_out = 1;
   report.left_out_place = {1, 2, 3};
   report.quality.inverted = 4;
-  report.reason = "layers of hexahedra are folded";
+  report.reason = "hexahedra would be turned inside out";
   EXPECT_EQ(sentence_of(report),
-            "partial: 1000 hexahedra of 2, 1 cell left out near 1 2 3, 4 inverted; " + report.reason);
+            "partial: 1000 hexahedra, mean edge 2, 1 cell left out near 1 2 3, 4 inverted; " + report.reason);
   report.left_out = report.quality.inverted = 0;
-  EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra of 2; " + report.reason);
+  EXPECT_EQ(sentence_of(report), "partial: 1000 hexahedra, mean edge 2; " + report.reason);
 }
 
 TEST(SentenceOfHexahedra, TellsWhatIsWrongWithAnApproximateMeshAndWhatHelps) {
@@ -112,11 +119,12 @@ TEST(SentenceOfHexahedra, TellsWhatIsWrongWithAnApproximateMeshAndWhatHelps) {
   report.remedy = Remedy::kUseHexSize;
   report.remedy_number = 0.15;
   report.remedy_hexahedra = 2.4e6;
-  EXPECT_EQ(
-      sentence_of(report, "try --size 0.15"),
-      "approximate: 1000 of 2; its volume is 22 % below the model's; try --size 0.15 (about 2.4 million)");
+  EXPECT_EQ(sentence_of(report, "try --size 0.15"),
+            "approximate: 1000 hexahedra, mean edge 2; its volume is 22 % below the model's; try --size 0.15 "
+            "(about 2.4 million)");
   EXPECT_EQ(sentence_of(report),
-            "approximate: 1000 of 2; its volume is 22 % below the model's; use hexahedra of 0.15 (about 2.4 "
+            "approximate: 1000 hexahedra, mean edge 2; its volume is 22 % below the model's; use hexahedra "
+            "of 0.15 (about 2.4 "
             "million)");
 }
 
@@ -124,12 +132,13 @@ TEST(SentenceOfHexahedra, TellsFirstThatTheSearchWasStopped) {
   HexReport report = whole();
   report.is_stopped = true;
   report.remedy = Remedy::kLetFinish;
-  EXPECT_EQ(sentence_of(report), "all-hex, the search was stopped: 1000 of 2; let it finish");
+  EXPECT_EQ(sentence_of(report),
+            "all-hex, the search was stopped: 1000 hexahedra, mean edge 2; let it finish");
   report.outcome = HexOutcome::kPartial;
-  report.reason = "layers of hexahedra are folded";
-  EXPECT_EQ(
-      sentence_of(report),
-      "partial, the search was stopped: 1000 hexahedra of 2; layers of hexahedra are folded; let it finish");
+  report.reason = "hexahedra would be turned inside out";
+  EXPECT_EQ(sentence_of(report),
+            "partial, the search was stopped: 1000 hexahedra, mean edge 2; hexahedra would be turned inside "
+            "out; let it finish");
 }
 
 TEST(WayOfHexahedra, TellsTheAttemptThatMadeThemOfAllThatWereMade) {

@@ -55,7 +55,7 @@ class Hexahedra(WithFolder):
         self.assertEqual((mesh.points.shape, mesh.cells.shape, mesh.faces.shape, mesh.tags.shape), ((125, 3), (64, 8), (96, 4), (96,)))
         np.testing.assert_allclose(mesh.points * 4, np.rint(mesh.points * 4), atol=1e-6)
         self.assertIsNone(mesh.regions)
-        self.assertIn("all-hex: 64 of 0.25", str(mesh))
+        self.assertIn("all-hex: 64 hexahedra, mean edge 0.25", str(mesh))
         self.assertEqual(mesh.report["hexahedra"]["hexahedra"], 64)
         self.assertEqual([attempt["kind"] for attempt in mesh.report["hexahedra"]["attempts"]], ["repair"])
 
