@@ -53,6 +53,7 @@ struct HexFeatures {
     double percentile_99 = 0, largest = 0;
     Vector3 place{0, 0, 0};
     double largest_in_all = 0;
+    Vector3 place_in_all{0, 0, 0};
   };
 
   Kept corners, creases, crease_length, faces;

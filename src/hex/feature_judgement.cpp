@@ -48,7 +48,8 @@ std::vector<HexFeatures::Lack> lacks_in(const std::vector<FeatureMeasure::Lack>&
 }
 
 HexFeatures::Distances distances_in(const DistanceFigures& figures) {
-  return {figures.percentile_99, figures.largest, figures.place, figures.largest_in_all};
+  return {figures.percentile_99, figures.largest, figures.place, figures.largest_in_all,
+          figures.place_in_all};
 }
 
 bool is_of_surface(const HexFeatures::Lack& lack) {

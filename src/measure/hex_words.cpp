@@ -115,23 +115,34 @@ std::string shapes_of(const HexReport::Quality& quality) {
 
 std::string distances_of(const HexReport& report) {
   constexpr double kOnSurface = 1e-9;  // in sizes of hexahedra
-  const auto rounded = [&](double x) { return x < kOnSurface * report.used_size ? 0 : x; };
+  struct Largest {
+    double distance;
+    Vector3 place;
+  };
   // Those at vertices, and within quads.
-  const auto largest = [&](double at_vertices, const HexFeatures::Distances* in_all) {
-    return rounded(std::max(at_vertices, in_all ? in_all->largest_in_all * report.used_size : 0));
+  const auto largest = [&](double at_vertices, const Vector3& place, const HexFeatures::Distances* in_all) {
+    Largest result{at_vertices, place};
+    if (in_all && in_all->largest_in_all * report.used_size > at_vertices)
+      result = {in_all->largest_in_all * report.used_size, in_all->place_in_all};
+    if (result.distance < kOnSurface * report.used_size) result.distance = 0;
+    return result;
   };
   const HexFeatures* const features = report.features ? &*report.features : nullptr;
-  const double of_mesh = largest(report.largest_distance, features ? &features->of_mesh : nullptr);
-  const double of_model = largest(report.largest_distance_of_model, features ? &features->of_model : nullptr);
-  if (of_mesh == 0 && of_model == 0) return "nowhere off the surface";
-  std::array words{
-      of_mesh == 0 ? "mesh on the surface" : fmt::format("mesh up to {:.3g} off the surface", of_mesh),
-      of_model == 0 ? "surface on the mesh" : fmt::format("surface up to {:.3g} from the mesh", of_model)};
-  const bool is_of_model = of_model > of_mesh;
+  const Largest of_mesh = largest(report.largest_distance, report.largest_distance_place,
+                                  features ? &features->of_mesh : nullptr);
+  const Largest of_model = largest(report.largest_distance_of_model, report.largest_distance_of_model_place,
+                                   features ? &features->of_model : nullptr);
+  if (of_mesh.distance == 0 && of_model.distance == 0) return "nowhere off the surface";
+  std::array words{of_mesh.distance == 0 ? "mesh on the surface"
+                                         : fmt::format("mesh up to {:.3g} off the surface", of_mesh.distance),
+                   of_model.distance == 0
+                       ? "surface on the mesh"
+                       : fmt::format("surface up to {:.3g} from the mesh", of_model.distance)};
+  const bool is_of_model = of_model.distance > of_mesh.distance;
   if (!is_of_model) std::swap(words[0], words[1]);
-  const Vector3& place = is_of_model ? report.largest_distance_of_model_place : report.largest_distance_place;
-  return fmt::format("{}; {}, at {}", words[0], words[1],
-                     words_of_place(place, std::cbrt(report.model_volume)));
+  return fmt::format(
+      "{}; {}, at {}", words[0], words[1],
+      words_of_place((is_of_model ? of_model : of_mesh).place, std::cbrt(report.model_volume)));
 }
 
 std::string lacking_of(const HexReport& report) {

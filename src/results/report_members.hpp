@@ -159,7 +159,7 @@ void describe(File& file, Attempt& attempt) {
 
 CROSSGRAIN_DESCRIBE(HexFeatures::Lack, kind, number, place, figure, share, size_to_show)
 CROSSGRAIN_DESCRIBE(HexFeatures::Kept, all, kept)
-CROSSGRAIN_DESCRIBE(HexFeatures::Distances, percentile_99, largest, place, largest_in_all)
+CROSSGRAIN_DESCRIBE(HexFeatures::Distances, percentile_99, largest, place, largest_in_all, place_in_all)
 CROSSGRAIN_DESCRIBE(HexFitTry, way, hexahedra, added, unplaced, lacking, least, inverted, seconds)
 CROSSGRAIN_DESCRIBE(HexFeatures, corners, creases, crease_length, faces, of_mesh, of_model, volume_ratio,
                     shells, model_shells, lacking, too_small, small)

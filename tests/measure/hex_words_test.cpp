@@ -185,6 +185,11 @@ TEST(DistancesOfHexahedra, TellTheMeshFromTheModel) {
   EXPECT_EQ(distances_of(report), "nowhere off the surface");
   report.largest_distance_of_model = 2.07;
   EXPECT_EQ(distances_of(report), "mesh on the surface; surface up to 2.07 from the mesh, at 4 0 2");
+  report.features.emplace();
+  report.features->of_mesh.largest_in_all = 2;  // in sizes of 2
+  report.features->of_mesh.place_in_all = {7, 7, 7};
+  EXPECT_EQ(distances_of(report), "surface up to 2.07 from the mesh; mesh up to 4 off the surface, at 7 7 7")
+      << "within a quad";
 }
 
 TEST(ShapesOfHexahedra, HaveTwoDigits) {

@@ -81,11 +81,10 @@ interface Kept {
   kept: number;
 }
 
-/** Of surfaces, in sizes of hexahedra: beyond what straight edges cut off, where that is, and in all. */
+/** Of surfaces, in sizes of hexahedra, and where that is. */
 export interface HexDistances {
-  largest?: number;
-  place?: Vector;
   largest_in_all: number;
+  place_in_all?: Vector;
 }
 
 /** What a mesh keeps of its model. */

@@ -170,7 +170,7 @@ function fit_text(mesh: HexReport, unit: string): string {
   if (hexahedra === 0) return "";
   const off = (name: string, of: number | undefined, all: number | undefined): string => (of !== undefined && all ? `${name} ${percent(of / all)}` : "");
   const sizes = [off("volume", volume, model_volume), off("area", area, model_area)].filter(Boolean).join(", ");
-  const distances = largest_in_all(mesh);
+  const distances = distances_of(mesh);
   const apart = distances.length === 0 ? "" : distances.filter(({ distance }) => distance > 0).map(({ words, distance }) => words(`${measured(distance, 2)}${unit}`)).join(", ") || "on the surface";
   return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, apart].filter(Boolean).join("; ");
 }
@@ -184,36 +184,25 @@ interface Farthest {
   words: (length: string) => string;
 }
 
-/** The largest distances with known places: of the mesh from the model, and of the model from the mesh. */
+/** The largest distances, the larger last: of the mesh from the model, and of the model from the mesh. */
 function distances_of(mesh: HexReport): Farthest[] {
   const { used_size = 1, features } = mesh;
   if (mesh.largest_distance === undefined) return [];
   // At vertices, or within quads and triangles.
   const farther = (at_vertices: number, place: Vector | undefined, within: HexDistances | undefined): { distance: number; place?: Vector } => {
-    const found = used_size * (within?.largest ?? 0) > at_vertices ? { distance: used_size * within!.largest!, place: within!.place } : { distance: at_vertices, place };
+    const found = used_size * (within?.largest_in_all ?? 0) > at_vertices ? { distance: used_size * within!.largest_in_all, place: within!.place_in_all } : { distance: at_vertices, place };
     return is_off(found.distance, mesh) ? found : { ...found, distance: 0 };
   };
-  return [
+  const both: Farthest[] = [
     { ...farther(mesh.largest_distance, mesh.largest_distance_place, features?.of_mesh), words: (length) => `mesh up to ${length} off the surface` },
     { ...farther(mesh.largest_distance_of_model ?? 0, mesh.largest_distance_of_model_place, features?.of_model), words: (length) => `surface up to ${length} from the mesh` },
   ];
-}
-
-/** The same with those within quads and triangles, whose places are not known, the larger last. */
-function largest_in_all(mesh: HexReport): Farthest[] {
-  const { features, used_size = 1 } = mesh;
-  const in_all = [features?.of_mesh, features?.of_model].map((distances) => used_size * (distances?.largest_in_all ?? 0));
-  return distances_of(mesh).map((one, k) => ({ ...one, distance: Math.max(one.distance, is_off(in_all[k], mesh) ? in_all[k] : 0) })).sort((a, b) => a.distance - b.distance);
-}
-
-/** The larger of them, and where it is. */
-function farthest_of(mesh: HexReport): Farthest | null {
-  return distances_of(mesh).reduce<Farthest | null>((worst, one) => (worst && worst.distance >= one.distance ? worst : one), null);
+  return both.sort((a, b) => a.distance - b.distance);
 }
 
 /** Where the mesh fits worst. */
 function worst_fit({ hexahedra, model }: Report, origin: Vector): Place[] {
-  const farthest = hexahedra && hexahedra.hexahedra > 0 ? farthest_of(hexahedra) : null;
+  const farthest = hexahedra && hexahedra.hexahedra > 0 ? distances_of(hexahedra).at(-1) : null;
   if (!farthest?.place || !is_off(farthest.distance, hexahedra!)) return [];
   return [{ label: "Worst fit", detail: farthest.words(`${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`), point: subtract(farthest.place, origin), warn: false, of_mesh: true }];
 }
