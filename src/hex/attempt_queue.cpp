@@ -41,8 +41,7 @@ bool AttemptQueue::is_done() const {
 
 double AttemptQueue::allowed_work() const {
   if (!lattice_ || !lattice_->made->are_complete()) return most_work_;
-  const bool is_good_lattice = is_good(*lattice_, kGoodShape);
-  return std::min(most_work_, beside_lattice_[is_good_lattice ? 1 : 0]);
+  return std::min(most_work_, beside_lattice_[is_good(*lattice_, kPoorestShape) ? 1 : 0]);
 }
 
 void AttemptQueue::run() {

@@ -94,7 +94,7 @@ class AttemptQueue {
   void run();
 
   /// Sets the work of maps after which nothing but last resorts is tried once there is a lattice that fills
-  /// the model: `if_good` where it keeps all of it with good shapes, which maps only improve on. 0: nothing.
+  /// the model: `if_good` where it keeps all of it, which maps only improve on. 0: nothing.
   void limit_maps_beside_lattice(double work, double if_good) { beside_lattice_ = {work, if_good}; }
 
   /// Takes candidates for good although they do not keep all of the model.

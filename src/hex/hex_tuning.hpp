@@ -21,7 +21,7 @@ struct HexTuning {
   /// Maps are tried no longer once their work is more and there is a lattice: 40 seconds on two cores.
   double map_work = 100e6;
 
-  /// The same where the lattice keeps all of the model, in good shapes. Of nine models whose map came after
+  /// The same where the lattice keeps all of the model. Of nine models whose map came after
   /// the first attempts, it took 14e6 to 51e6 of six, 78e6, 106e6 and 185e6 of the others.
   double map_work_beside_good = 55e6;
 

@@ -149,8 +149,11 @@ Hexahedra best_lattice(const AttemptQueue& queue) {
   record_attempts(queue, report);
   const HexCandidate* const map = best_map(queue);
   if (map && map->made && map->made->are_complete())
-    report.map_fault = fmt::format("its {} would not keep all of the model",
-                                   counted(map->made->mesh.hexahedra.size(), "hexahedron", "hexahedra"));
+    report.map_fault =
+        fmt::format("its {} would {}", counted(map->made->mesh.hexahedra.size(), "hexahedron", "hexahedra"),
+                    map->made->is_faithful
+                        ? fmt::format("have a worst scaled Jacobian of {:.2g}", map->made->quality.least)
+                        : "not keep all of the model");
   else if (map)
     report.map_fault = end_of(*map, queue.least_quality()).text;
   const TetFrameField& field = map ? map->followed->field() : queue.start()->field;

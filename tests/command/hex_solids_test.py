@@ -36,7 +36,7 @@ class OfTriangles(HexSolidsTest):
         low, high = box_triangles((4.0, 4.0, 2.0)), box_triangles((2.0, 2.0, 2.0)) + (0.7, 0.9, 2)
         self.write("two.stl", stl_bytes(np.concatenate([low, high])))
         line = self.hex("two.stl", *FEW, code=NOT_ALL_HEX)
-        self.assertRegex(line, "partial.* in 2 bodies; solids that touch are meshed apart, as warned; unite them")
+        self.assertRegex(line, "partial.* in 2 bodies, mean edge [0-9.]+; solids that touch are meshed apart, as warned; unite them")
         self.assertEqual(self.report["hexahedra"]["outcome"], "partial")
         self.assertEqual(self.result.stderr.count("warning: "), 1, self.result.stderr)
         # What it says helps.
@@ -106,12 +106,12 @@ class OfCadFiles(HexSolidsTest):
 
     def test_touching_solids_are_a_success_once_they_are_glued(self):
         line = self.hex("stacked.brep", "--cells", "8", "--tet-size", "4", code=NOT_ALL_HEX)
-        self.assertRegex(line, "partial.* in 2 bodies; solids that touch are meshed apart, as warned; glue them with --glue$")
+        self.assertRegex(line, "partial.* in 2 bodies, mean edge [0-9.]+; solids that touch are meshed apart, as warned; glue them with --glue$")
         self.assertRegex(self.result.stderr, "warning: stacked.brep: solids 1 and 2 touch.*; glue them with --glue; else the mesh is partial \\(exit code 6\\)\n")
         self.assertNotIn("merge equal vertices", self.result.stdout + self.result.stderr)
         self.assertEqual(self.result.stderr.count("warning: "), 1, self.result.stderr)
         line = self.hex("stacked.brep", "--cells", "8", "--tet-size", "4", "--glue")
-        self.assertRegex(line, r"all-hex: \d+ of [0-9.]+$")
+        self.assertRegex(line, r"all-hex: \d+ hexahedra, mean edge [0-9.]+$")
         self.assertEqual(self.report["hexahedra"]["bodies"], 1)
         self.assertGreater(self.report["hexahedra"]["interface_faces"], 0)
 
@@ -119,13 +119,13 @@ class OfCadFiles(HexSolidsTest):
         line = self.hex("overlapping.brep", "--cells", "8", "--tet-size", "4", code=NOT_ALL_HEX)
         self.assertRegex(line, "partial.*; solids overlap, as warned; .*--glue")
         self.assertEqual((self.result.stdout + self.result.stderr).count("solids 1 and 2 overlap, and both are meshed whole"), 1)
-        self.assertRegex(self.hex("overlapping.brep", "--cells", "15", "--tet-size", "4", "--glue"), r"all-hex: \d+ of [0-9.]+$")
+        self.assertRegex(self.hex("overlapping.brep", "--cells", "15", "--tet-size", "4", "--glue"), r"all-hex: \d+ hexahedra, mean edge [0-9.]+$")
 
     def test_a_copy_of_the_faces_of_a_solid_is_no_second_mesh(self):
         for name in ("own_shell.brep", "turned_shell.brep"):
             with self.subTest(name):
                 line = self.hex(name, "--cells", "6", "--tet-size", "2.8", "--map-only", code=APPROXIMATE)
-                self.assertIn("approximate: 128 of", line)
+                self.assertIn("approximate: 128 hexahedra", line)
                 self.assertEqual(self.report["hexahedra"]["bodies"], 1)
                 self.assertIn("shells of faces that bound another body already, left out: 1", self.result.stderr)
 

@@ -187,7 +187,7 @@ class HexTest(CommandTest):
         self.assertEqual(made["outcome"], "approximate")
         off = 100 * (1 - made["volume"] / made["model_volume"])
         row = next(line for line in self.result.stdout.splitlines() if line.startswith("hexahedra"))
-        self.assertRegex(row, rf"^hexahedra  approximate: \d+ hexahedra, mean edge 0.5.*; its volume is {off:.2g} % below the model's; try --size [\d.]+ \(about \d+\)$")
+        self.assertRegex(row, rf"^hexahedra  approximate: \d+ hexahedra, mean edge 0.4.*; its volume is {off:.2g} % below the model's; try --size [\d.]+ \(about \d+\)$")
         self.assertEqual(made["remedy"], "use_hex_size")
         self.assertIn(f"try --size {made['remedy_number']:g} (about ", row)
         self.assertNotIn("volume than the model", self.result.stdout)

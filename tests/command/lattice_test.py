@@ -120,7 +120,7 @@ class Lattice(CommandTest):
     def test_comes_first_where_it_is_preferred(self):
         self.write("box.mesh", medit_text(*tet_box((3, 2, 2))))
         printed, report = self.made("--cells", "6", "--prefer", "lattice", "--no-report", model="box.mesh")
-        self.assertIn("all-hex by a lattice: 90 of ", printed)
+        self.assertIn("all-hex by a lattice: 90 hexahedra, mean edge 0.322", printed)
         self.assertEqual([attempt["kind"] for attempt in report["attempts"]], ["lattice"])
 
     def test_of_two_solids_that_touch_is_no_success(self):

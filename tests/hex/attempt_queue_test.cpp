@@ -107,7 +107,7 @@ std::unique_ptr<Dummy> dummy(std::vector<Dummy::Planned> planned) {
 /// A lattice, once there is anything else.
 class LatticeDummy : public AttemptKind {
  public:
-  explicit LatticeDummy(double least) : least_(least) {}
+  explicit LatticeDummy(bool is_faithful) : is_faithful_(is_faithful) {}
 
   const char* name() const override { return kLatticeKind; }
   std::string plan(const AttemptQueue&) const override { return "a lattice"; }
@@ -118,13 +118,13 @@ class LatticeDummy : public AttemptKind {
   std::vector<HexCandidate> make(AttemptQueue&) override {
     is_over_ = true;
     HexCandidate candidate = candidate_that_misses(0);
-    candidate.made->quality.least = least_;
+    candidate.made->is_faithful = is_faithful_;
     candidate.lattice = std::make_shared<LatticeHexahedra>();
     return {candidate};
   }
 
  private:
-  double least_;
+  bool is_faithful_;
   bool is_over_ = false;
 };
 
@@ -147,28 +147,28 @@ TEST(AttemptQueue, TakesAFurtherKindByOneLine) {
   EXPECT_EQ(queue.attempts().front().outcome, HexOutcome::kAllHex);
 }
 
-/// Maps of which only the last fills the model, and a lattice.
+/// Maps of which only the last but one fills the model, and a lattice.
 struct BesideALattice {
   const Monitor monitor;
   AttemptQueue queue{kPlenty, 0.05, monitor};
 
-  explicit BesideALattice(double least_of_lattice) {
+  explicit BesideALattice(bool is_faithful) {
     queue.limit_maps_beside_lattice(/*work=*/40, /*if_good=*/20);
     const auto fails = [](std::size_t round) { return Dummy::Planned{{round, Step::kTets}, {0.5}}; };
     queue.add(dummy({fails(1), fails(1), fails(1), {{1, Step::kTets}, {0}}, fails(1)}));
-    queue.add(std::make_unique<LatticeDummy>(least_of_lattice));
+    queue.add(std::make_unique<LatticeDummy>(is_faithful));
     queue.run();
   }
 };
 
-TEST(AttemptQueue, TriesMapsForLessWorkBesideALatticeThatIsGood) {
-  const BesideALattice good(0.5);
+TEST(AttemptQueue, TriesMapsForLessWorkBesideALatticeThatKeepsAll) {
+  const BesideALattice good(true);
   EXPECT_EQ(kinds_of(good.queue), (std::vector<std::string>{"a", kLatticeKind, "a"}));
   EXPECT_TRUE(good.queue.best()->lattice);
 }
 
 TEST(AttemptQueue, TakesAGoodMapInPlaceOfALattice) {
-  const BesideALattice poor(0.1);
+  const BesideALattice poor(false);
   EXPECT_EQ(kinds_of(poor.queue), (std::vector<std::string>{"a", kLatticeKind, "a", "a", "a"}));
   EXPECT_FALSE(poor.queue.best()->lattice);
   EXPECT_EQ(poor.queue.best_attempt(), 4u);
