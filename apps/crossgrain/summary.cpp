@@ -226,10 +226,16 @@ std::string advice_on(const Warning& warning, const SolveReport& report, const S
   return line_of(warning, arguments);
 }
 
+/// Whether what was said before the work may be why a mesh lacks something.
+bool explains(const Warning& warning, const SolveReport& report) {
+  return warning.kind == WarningKind::kMissingFaces && report.hexahedra &&
+         report.hexahedra->outcome != HexOutcome::kAllHex;
+}
+
 std::string warning_rows(const SolveReport& report, const SolveArguments& arguments) {
   std::string text;
   for (const Warning& warning : report.warnings)
-    if (!is_of_reading(warning) && !is_always_printed(warning))
+    if ((!is_of_reading(warning) || explains(warning, report)) && !is_always_printed(warning))
       text += row("warning", advice_on(warning, report, arguments));
   return text;
 }

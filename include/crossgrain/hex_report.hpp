@@ -104,6 +104,8 @@ struct HexReport {
     Vector3 worst_place{0, 0, 0};  ///< the centre of the worst hexahedron
     std::size_t inverted = 0;      ///< not valid: the determinant is not positive everywhere
     std::size_t below_tenth = 0, below_fifth = 0;
+    double shortest_edge = 0;  ///< which scaled Jacobians do not see
+    Vector3 shortest_edge_place{0, 0, 0};
   };
 
   /// Scaled Jacobians: of each hexahedron the least, over its corners, of the determinant of the unit vectors

@@ -15,6 +15,12 @@ namespace {
 /// In sizes: what rounding leaves between a vertex and its carrier.
 constexpr double kOnCarrier = 1e-9;
 
+/// In sizes: edges that are not made shorter for a better scaled Jacobian, which sees angles alone; and for a
+/// place on a carrier. Without them the longest edge of a hexahedron is up to 149,000 times the shortest on
+/// five lattices of parts (a shaft, a tee, a housing with bosses, i10o, a plate), with them 44 times; with
+/// 0.35 in place of 0.2 it is 58 times, and worst scaled Jacobians of 0.28 and 0.33 become 0.24 and 0.29.
+constexpr double kShortEdge = 0.2, kShortestEdge = 0.05;
+
 /// In mean edges: moves that are too short to stir the surroundings.
 constexpr double kStir = 2e-3;
 
@@ -161,12 +167,15 @@ bool VertexMoves::snap_vertex(std::uint32_t vertex, double floor) {
   const Vector3 before = mesh_.vertices[vertex];
   const Vector3 target = targets_.nearest(vertex, before, normals_[vertex]).point;
   VertexSurroundings around(mesh_, uses_[vertex]);
-  const double least = around.least_scaled_jacobian();
+  const double least = around.least_scaled_jacobian(), shortest = around.least_edge(),
+               short_edge = kShortestEdge * around.mean_size(sizes_);
   for (const double share : kShares) {
     const Vector3 place = share == 1.0 ? target : before + share * (target - before);
     around.move_to(place);
     const double now = around.least_scaled_jacobian();
     if ((now < floor && now < least) || !around.are_valid()) continue;
+    const double edge_now = around.least_edge();
+    if (edge_now < short_edge && edge_now < shortest) continue;
     mesh_.vertices[vertex] = place;
     is_on_[vertex] = share == 1.0;
     return true;
@@ -200,12 +209,15 @@ bool VertexMoves::lift_vertex(std::uint32_t vertex) {
   const Vector3 before = mesh_.vertices[vertex];
   const double off =
       is_on_[vertex] ? 0 : norm(targets_.nearest(vertex, before, normals_[vertex]).point - before);
+  const double shortest = around.least_edge(), short_edge = kShortEdge * around.mean_size(sizes_);
   for (double step = kFirstStep * edge; step > kLeastStep * edge; step *= 0.5) {
     const Vector3 place = held(vertex, before + step * downhill);
     if (!is_on_[vertex] && norm(targets_.nearest(vertex, place, normals_[vertex]).point - place) > off)
       continue;
     around.move_to(place);
     if (!(around.badness() < (1 - kLeastGain) * badness)) continue;
+    const double edge_now = around.least_edge();
+    if (edge_now < short_edge && edge_now < shortest) continue;
     const double now = around.least_scaled_jacobian();
     if ((now < least && now < kGoodEnough) || !around.are_valid()) continue;
     mesh_.vertices[vertex] = place;

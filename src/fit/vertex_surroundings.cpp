@@ -72,6 +72,20 @@ double VertexSurroundings::mean_edge() const {
   return sum / (3 * static_cast<double>(uses_.size()));
 }
 
+double VertexSurroundings::least_edge() const {
+  double least = INFINITY;
+  for (const Use& use : uses_)
+    for (const std::uint8_t other : kHexNeighbours[use.corner])
+      least = std::min(least, norm(use.corners[other] - use.corners[use.corner]));
+  return least;
+}
+
+double VertexSurroundings::mean_size(std::span<const double> sizes) const {
+  double sum = 0;
+  for (const Use& use : uses_) sum += sizes[use.hexahedron];
+  return sum / static_cast<double>(uses_.size());
+}
+
 double VertexSurroundings::energy(std::span<const double> sizes, const CornerEnergyOptions& options) const {
   double sum = 0;
   for (const Use& use : uses_) sum += energy_at(use.corners, use.corner, 1 / sizes[use.hexahedron], options);

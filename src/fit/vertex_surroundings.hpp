@@ -27,8 +27,12 @@ class VertexSurroundings {
   bool are_valid() const;
   double least_scaled_jacobian() const;
 
-  /// Mean length of the edges at the vertex.
+  /// Mean length of the edges at the vertex, and the least.
   double mean_edge() const;
+  double least_edge() const;
+
+  /// Mean of these sizes of all hexahedra of the mesh over those around.
+  double mean_size(std::span<const double> sizes) const;
 
   /// The sum of energy_at, or add_energy_at, with these sizes of all hexahedra of the mesh.
   double energy(std::span<const double> sizes, const CornerEnergyOptions& options) const;

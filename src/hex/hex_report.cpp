@@ -188,6 +188,9 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
     quality.below_tenth += value < 0.1;
     quality.below_fifth += value < 0.2;
   }
+  const ShortestEdge shortest = shortest_edge(mesh);
+  quality.shortest_edge = shortest.length;
+  quality.shortest_edge_place = shortest.place;
   const auto hundredth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 100);
   std::nth_element(values.begin(), hundredth, values.end());
   quality.one_percent = *hundredth;

@@ -171,7 +171,9 @@ Hexahedra best_lattice(const AttemptQueue& queue) {
   choose_size(whole.faces, solid, report);
   std::erase_if(whole.warnings, is_of_field);
   whole.warnings.insert(whole.warnings.end(), best.lattice->warnings.begin(), best.lattice->warnings.end());
-  if (auto off = faces_off(whole.faces, report)) whole.warnings.push_back(*std::move(off));
+  for (const auto& warning :
+       {faces_without_quads(whole.faces, solid, report), faces_off(whole.faces, report)})
+    if (warning) whole.warnings.push_back(*warning);
   whole.hexahedra = std::move(report);
   whole.answer.is_meshed = true;
   return {std::move(mesh), field.with_report(std::move(whole)), {}};

@@ -158,6 +158,14 @@ std::string words_of_size_across(double size, const TetSolid& tets, const HexRep
   return words + fmt::format(" ({}), but finer ones may have no mesh", about(count));
 }
 
+/// Which size would miss half of the volume that is noticed: it falls with the square.
+std::string words_of_finer(const HexReport& report, double missed) {
+  if (report.outcome != HexOutcome::kAllHex) return "";
+  const double size =
+      rounded_down(std::min(report.size, report.used_size) * std::sqrt(0.5 * kNoticedVolume / missed), 2);
+  return fmt::format(", those of {:g} about {:g} %", size, 100 * 0.5 * kNoticedVolume);
+}
+
 double volume_missed(const HexReport& report) {
   return report.hexahedra == 0 || report.model_volume <= 0 ? 0 : report.volume / report.model_volume - 1;
 }
@@ -282,7 +290,8 @@ std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, 
     text += ", around " + words_of_place(face.centre, extent);
   }
   if (bare.size() > kMostNamed) text += fmt::format("; and {} more", bare.size() - kMostNamed);
-  if (*std::ranges::max_element(widths) < report.used_size) {
+  const double widest = *std::ranges::max_element(widths);
+  if (widest > 0 && widest < report.used_size) {
     text += fmt::format("; the hexahedra of {:.3g} are larger", report.used_size);
     if (report.remedy != Remedy::kUseHexSize)
       text += words_of_size_across(size_across(widths, report.used_size), tets, report);
@@ -319,8 +328,8 @@ std::optional<Warning> poor_fit(const HexReport& report) {
   std::vector<std::string> faults;
   const bool is_said = !is_partial(report.outcome) && std::abs(missed) > kPoorVolume;
   if (std::abs(missed) > kNoticedVolume && !is_said)
-    faults.push_back(fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
-                                 missed < 0 ? "less" : "more"));
+    faults.push_back(fmt::format("have {:.2g} % {} volume than the model{}", 100 * std::abs(missed),
+                                 missed < 0 ? "less" : "more", words_of_finer(report, std::abs(missed))));
   if (distance > kPoorDistance * report.used_size && report.outcome != HexOutcome::kApproximate)
     faults.push_back(fmt::format("{} by up to {:.2g}, at {}, which is {:.2g} of their size",
                                  is_off ? "are off the model's surface" : "miss parts of the model's surface",

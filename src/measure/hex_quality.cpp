@@ -89,6 +89,16 @@ double boundary_area(const HexMesh& mesh) {
   return sum;
 }
 
+ShortestEdge shortest_edge(const HexMesh& mesh) {
+  ShortestEdge shortest{INFINITY, {0, 0, 0}};
+  for (const auto& hexahedron : mesh.hexahedra)
+    for (const auto& [a, b] : kHexEdges) {
+      const Vector3 &p = mesh.vertices[hexahedron[a]], &q = mesh.vertices[hexahedron[b]];
+      if (const double length = norm(p - q); length < shortest.length) shortest = {length, 0.5 * (p + q)};
+    }
+  return shortest;
+}
+
 double mean_edge(const HexMesh& mesh) {
   double sum = 0;
   for (const auto& hexahedron : mesh.hexahedra)

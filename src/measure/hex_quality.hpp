@@ -26,6 +26,13 @@ double area_of(const HexMesh& mesh, const HexMesh::Face& face);
 /// Area of the boundary.
 double boundary_area(const HexMesh& mesh);
 
+/// The shortest edge of hexahedra, which there are, and its middle.
+struct ShortestEdge {
+  double length;
+  Vector3 place;
+};
+ShortestEdge shortest_edge(const HexMesh& mesh);
+
 /// Mean length of the edges of hexahedra, those of each counted for it; 0 without hexahedra.
 double mean_edge(const HexMesh& mesh);
 

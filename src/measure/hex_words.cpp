@@ -109,8 +109,13 @@ const char* name_of(HexOutcome outcome) {
 
 std::string shapes_of(const HexReport::Quality& quality) {
   const bool is_poor = quality.inverted == 0 && quality.least < kPoorShape;
-  return fmt::format("scaled Jacobian {:.2g}{} at {}, {:.2g} in the mean", quality.least,
-                     is_poor ? ", which is poor," : "", words_of_place(quality.worst_place), quality.mean);
+  std::string text =
+      fmt::format("scaled Jacobian {:.2g}{} at {}, {:.2g} in the mean", quality.least,
+                  is_poor ? ", which is poor," : "", words_of_place(quality.worst_place), quality.mean);
+  if (quality.shortest_edge > 0)
+    text += fmt::format("; shortest edge {:.2g} at {}", quality.shortest_edge,
+                        words_of_place(quality.shortest_edge_place));
+  return text;
 }
 
 std::string distances_of(const HexReport& report) {

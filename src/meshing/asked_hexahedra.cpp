@@ -53,7 +53,7 @@ void AskedHexahedra::check(const SearchableSurface& surface) {
   // No size is named: whether the mesh needs a finer one shows when it is there, and is said then.
   warn({WarningKind::kThinPart,
         fmt::format("less than {:g} hexahedra of {} fit across most of the part, which is {} thick there: "
-                    "most walls get one",
+                    "most walls may get one",
                     kAcross, length_text(size, part.unit), length_text(thickness, part.unit))});
 }
 

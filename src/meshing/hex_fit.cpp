@@ -59,7 +59,9 @@ FittedHexahedra fitted_to(const HexMesh& mesh, const Read& read, const HexFitOpt
   report.hexahedra =
       fit_to_model(model.model, median_edge(mesh), FitWays::kAll, monitor, fitted.mesh, report.warnings);
   count_quads(fitted.mesh, report.faces);
-  if (auto off = faces_off(report.faces, *report.hexahedra)) report.warnings.push_back(*std::move(off));
+  for (auto& warning : {faces_without_quads(report.faces, model.model.solid, *report.hexahedra),
+                        faces_off(report.faces, *report.hexahedra)})
+    if (warning) report.warnings.push_back(*warning);
   if (auto moved = moved_interfaces(fitted.mesh, *report.hexahedra))
     report.warnings.push_back(*std::move(moved));
   report.answer.is_meshed = true;

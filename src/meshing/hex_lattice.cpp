@@ -85,7 +85,9 @@ FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& optio
   report.hexahedra = std::move(found.report);
   judge_solids_of_lattice(model.solids, *report.hexahedra);
   count_quads(made.mesh, report.faces);
-  if (auto off = faces_off(report.faces, *report.hexahedra)) report.warnings.push_back(*std::move(off));
+  for (auto& warning : {faces_without_quads(report.faces, model.model.solid, *report.hexahedra),
+                        faces_off(report.faces, *report.hexahedra)})
+    if (warning) report.warnings.push_back(*warning);
   report.answer.is_meshed = true;
   report.seconds.total = report.seconds.read + stopwatch.restart();
   report.peak_memory_bytes = peak_memory_bytes();

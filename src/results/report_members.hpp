@@ -145,7 +145,8 @@ CROSSGRAIN_DESCRIBE(SolveReport::Onto, vertices, tets, prepared, boundary, diric
 template <class File, MaybeConst<HexReport::Quality> Quality>
 void describe(File& file, Quality& quality) {
   file.member("min", quality.least);
-  CROSSGRAIN_MEMBERS(quality, one_percent, mean, worst_place, inverted, below_tenth, below_fifth)
+  CROSSGRAIN_MEMBERS(quality, one_percent, mean, worst_place, inverted, below_tenth, below_fifth,
+                     shortest_edge, shortest_edge_place)
 }
 
 template <class File, MaybeConst<HexAttempt> Attempt>

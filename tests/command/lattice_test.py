@@ -24,6 +24,21 @@ def turned(triangles, angle, axis=(1, 2, 3)):
     return np.array(triangles) @ (np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross).T
 
 
+def revolved(profile, segments=36):
+    """A solid of revolution around z, of radii and heights that begin and end on the axis."""
+    angles = 2 * np.pi * np.arange(segments) / segments
+    rings = [np.array([(r * np.cos(a), r * np.sin(a), z) for a in angles]) for r, z in profile]
+    triangles = []
+    for (low, (r, _)), (high, (next_r, _)) in zip(zip(rings, profile), list(zip(rings, profile))[1:]):
+        for k in range(segments):
+            n = (k + 1) % segments
+            if r > 0:
+                triangles.append((low[k], low[n], high[n] if next_r > 0 else high[k]))
+            if next_r > 0:
+                triangles.append((low[k], high[n], high[k]))
+    return np.array(triangles)
+
+
 class Lattice(CommandTest):
     def made(self, *options, model="part.stl", code=0):
         """What it printed, and the report."""
@@ -97,6 +112,13 @@ class Lattice(CommandTest):
         _, report = self.made("--lattice", "--size", "0.5")
         self.assertEqual(report["features"]["creases"], {"all": 2, "kept": 2})
         self.assert_all_hex(0.5)
+
+    def test_has_no_edge_far_shorter_than_its_hexahedra(self):
+        self.write("part.stl", stl_bytes(turned(revolved([(0, 0), (4, 0), (4, 5), (2.4, 5), (2.4, 6), (3, 6), (3, 12), (0, 12)]), 0.5)))
+        printed, report = self.made("--lattice", "--cells", "18")
+        self.assertRegex(printed, r"(?m)^worst .*; shortest edge 0\.\d+ at ")
+        self.assertGreater(report["scaled_jacobian"]["shortest_edge"], 0.05 * report["mean_edge"])
+        self.assert_all_hex(report["used_size"])
 
     def test_is_made_where_the_hexahedra_of_a_map_do_not_keep_the_volume(self):
         self.write("part.stl", stl_bytes(cylinder(2, 5)))

@@ -129,8 +129,10 @@ TEST(ModelFit, IsPoorWithMuchLessVolumeOrFarFromTheSurface) {
   report.volume = 100.5;
   EXPECT_FALSE(poor_fit(report));
   report.outcome = HexOutcome::kAllHex;
+  report.size = 2;
   report.volume = 97;
-  EXPECT_EQ(poor_fit(report)->text, "the hexahedra have 3 % less volume than the model");
+  EXPECT_EQ(poor_fit(report)->text,
+            "the hexahedra have 3 % less volume than the model, those of 1.1 about 1 %");
   EXPECT_EQ(poor_fit(report)->remedy, Remedy::kTakeSmallerHexahedra);
   report.outcome = HexOutcome::kNone;
   report.volume = 100.5;

@@ -116,6 +116,7 @@ export interface HexReport {
   /** Edge asked for, and taken. */
   size?: number;
   used_size?: number;
+  mean_edge?: number;
   scaled_jacobian?: { min: number; mean: number; inverted: number; worst_place?: Vector };
   volume?: number;
   model_volume?: number;

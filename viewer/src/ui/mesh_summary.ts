@@ -120,12 +120,12 @@ export function mesh_numbers(report: Report, scene: Scene | null): HTMLElement[]
 
 /** The size beside that asked for. Layers along features make hexahedra of a lattice smaller than its cells: what counts is their mean. */
 function size_number(report: Report, unit: string): HTMLElement[] {
-  const { size, used_size, hexahedra, volume } = report.hexahedra!;
+  const { size, used_size, mean_edge, hexahedra } = report.hexahedra!;
   if (!used_size) return [];
   const text = (length: number): string => `${measured(length)}${unit}`;
-  if (!is_of_lattice(report) || hexahedra === 0 || !volume) return [number("Size of hexahedra", text(used_size), size && size !== used_size ? `not ${text(size)}` : "", "number-size")];
+  if (!is_of_lattice(report) || hexahedra === 0 || !mean_edge) return [number("Size of hexahedra", text(used_size), size && size !== used_size ? `not ${text(size)}` : "", "number-size")];
   const notes = [size ? `asked for: ${text(size)}` : "", size !== used_size ? `lattice: ${text(used_size)}` : ""];
-  return [number("Mean edge", text(Math.cbrt(volume / hexahedra)), notes.filter(Boolean).join(", "), "number-size")];
+  return [number("Mean edge", text(mean_edge), notes.filter(Boolean).join(", "), "number-size")];
 }
 
 /** What is kept of the model's features, in the words of the terminal. */

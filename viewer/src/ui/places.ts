@@ -58,7 +58,7 @@ export function input_groups(report: Report, origin: Vector): PlaceGroup[] {
         const detail = [finding.length ? `${measured(finding.length)} long` : "", finding.done_text ?? ""].filter(Boolean).join("; ");
         return { summary: "", places: [{ label, detail, point: local(finding.place), warn: false }] };
       }),
-      empty: report.input ? "Nothing: the surface is clean." : undefined,
+      empty: report.input && !(report.warnings ?? []).some(({ kind }) => kind === "missing_faces") ? "Nothing: the surface is clean." : undefined,
     },
     { name: "Crowded corners", kinds: crowded.length > 0 ? [{ summary: in_words(crowded.length, "corner with more than three creases", "corners with more than three creases"), places: crowded }] : [] },
   ];
