@@ -41,7 +41,10 @@ bool AttemptQueue::is_done() const {
 
 double AttemptQueue::allowed_work() const {
   if (!lattice_ || !lattice_->made->are_complete()) return most_work_;
-  return std::min(most_work_, beside_lattice_[is_good(*lattice_, kPoorestShape) ? 1 : 0]);
+  if (!is_good(*lattice_, kPoorestShape)) return std::min(most_work_, beside_lattice_[0]);
+  const auto maps = std::ranges::count_if(
+      attempts_, [](const HexAttempt& attempt) { return attempt.number > 0 && !attempt.is_of_lattice(); });
+  return maps >= kMostMapsBesideGood ? 0 : std::min(most_work_, beside_lattice_[1]);
 }
 
 void AttemptQueue::run() {

@@ -97,6 +97,10 @@ class AttemptQueue {
   /// the model: `if_good` where it keeps all of it, which maps only improve on. 0: nothing.
   void limit_maps_beside_lattice(double work, double if_good) { beside_lattice_ = {work, if_good}; }
 
+  /// How many attempts at maps there are at most beside a lattice that keeps all: on small meshes work is
+  /// longer than it is counted. Of nine models whose map came after the first attempts, seven took no more.
+  static constexpr std::ptrdiff_t kMostMapsBesideGood = 6;
+
   /// Takes candidates for good although they do not keep all of the model.
   void end_at_approximate() { ends_at_approximate_ = true; }
 

@@ -75,7 +75,7 @@ export function hexahedra_scene(inverted = true) {
     },
     report: {
       hexahedra: {
-        ...failed, hexahedra: hexahedra.length, expected: 250, size: 4, used_size: 10 / 3,
+        ...failed, hexahedra: hexahedra.length, expected: 250, size: 4, used_size: 10 / 3, mean_edge: 10 / 3,
         scaled_jacobian: { min: Math.min(...shapes), mean, inverted: Number(inverted), worst_place },
         volume: 15980, model_volume: 16000, area: 4008, model_area: 4000, model: "cad", largest_distance: 0.134, largest_distance_place: [10, 10, 0],
         largest_distance_of_model: 0.1, largest_distance_of_model_place: [-10, 10, 0],
