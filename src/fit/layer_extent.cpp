@@ -20,9 +20,12 @@ class LayerExtent {
 
   std::vector<std::uint8_t> run() {
     do {
-      is_larger_ = false;
-      for (std::uint32_t c = 0; c < embedded_.features.curves.size(); ++c)
-        if (!embedded_.embedding.path_of_curve[c].empty()) grow_at_curve(c);
+      // All curves first: a corner counts the faces beside it that are covered.
+      do {
+        is_larger_ = false;
+        for (std::uint32_t c = 0; c < embedded_.features.curves.size(); ++c)
+          if (!embedded_.embedding.path_of_curve[c].empty()) grow_at_curve(c);
+      } while (is_larger_);
       for (std::uint32_t c = 0; c < embedded_.features.corners.size(); ++c)
         if (embedded_.embedding.vertex_of_corner[c] != Embedding::kNone) grow_at_corner(c);
     } while (is_larger_);
