@@ -66,12 +66,8 @@ FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function
       monitor);
 }
 
-FittedHexahedra lattice_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
-                             const std::function<void(const HexAttemptEnd&)>& on_end,
+FittedHexahedra lattice_mesh(const SolveArguments& arguments, const HexMeshingOptions& options,
                              const Monitor& monitor) {
-  HexMeshingOptions options = hex_options(arguments);
-  options.on_warning = warn;
-  options.on_attempt_end = on_end;
   return unless_interrupted(
       [&] { return lattice_hexahedra(std::filesystem::path(arguments.model), options, monitor); }, monitor);
 }

@@ -16,8 +16,8 @@ HexMeshingOptions hex_options(const SolveArguments& arguments);
 FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
                             const Monitor& monitor);
 
-/// Makes hexahedra of a lattice. Attempts are heard of as they end.
-FittedHexahedra lattice_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
-                             const std::function<void(const HexAttemptEnd&)>& on_end, const Monitor& monitor);
+/// Makes hexahedra of a lattice.
+FittedHexahedra lattice_mesh(const SolveArguments& arguments, const HexMeshingOptions& options,
+                             const Monitor& monitor);
 
 }  // namespace crossgrain::app

@@ -54,37 +54,39 @@ std::shared_ptr<const Hexahedra> or_best_so_far(const Job& job, const HexMeshing
   }
 }
 
-}  // namespace
-
-std::shared_ptr<const Hexahedra> made_hexahedra(const Job& job) {
-  const SolveArguments& arguments = job.arguments;
-  HexMeshingOptions options = hex_options(arguments);
+/// The options, with what is said while hexahedra are made.
+HexMeshingOptions heard_options(const Job& job) {
+  HexMeshingOptions options = hex_options(job.arguments);
   options.on_warning = job.warn;
-  options.on_expected = [&](const HexExpectation& expected) {
-    if (arguments.quiet) return;
+  options.on_expected = [&job](const HexExpectation& expected) {
+    if (job.arguments.quiet) return;
     if (job.lines != nullptr) job.lines->expect(expected);
     job.leave_line();
     print_result(row("expected", sentence_of(expected)));
   };
-  options.on_answer = [&](const Answer& answer) {
+  options.on_answer = [&job](const Answer& answer) {
     const std::string lines = risk_lines(answer);
-    if (arguments.quiet || lines.empty()) return;
+    if (job.arguments.quiet || lines.empty()) return;
     job.leave_line();
     print_result(lines);
   };
-  options.on_attempt_end = [&](const HexAttemptEnd& end) {
+  options.on_attempt_end = [&job](const HexAttemptEnd& end) {
     if (job.lines != nullptr) job.lines->end_attempt(end);
   };
-  return or_best_so_far(job, options);
+  return options;
+}
+
+}  // namespace
+
+std::shared_ptr<const Hexahedra> made_hexahedra(const Job& job) {
+  return or_best_so_far(job, heard_options(job));
 }
 
 SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
   job.monitor.report({Phase::kRead, 0, 0, 0, 0});
-  const auto on_end = [&](const HexAttemptEnd& end) {
-    if (job.lines != nullptr) job.lines->end_attempt(end);
-  };
-  FittedHexahedra fitted = job.arguments.lattice ? lattice_mesh(job.arguments, job.warn, on_end, job.monitor)
-                                                 : fitted_mesh(job.arguments, job.warn, job.monitor);
+  FittedHexahedra fitted = job.arguments.lattice
+                               ? lattice_mesh(job.arguments, heard_options(job), job.monitor)
+                               : fitted_mesh(job.arguments, job.warn, job.monitor);
   if (fitted.hexahedra().is_stopped) {
     job.leave_line();
     announce_stop(best_text(fitted.hexahedra()));

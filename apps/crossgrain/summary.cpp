@@ -350,8 +350,9 @@ std::string line_of(const HexReport& hexahedra, const SolveArguments& arguments)
 std::string sentence_of(const HexExpectation& expected) {
   const auto hexahedra = static_cast<std::size_t>(std::llround(std::max(1.0, expected.hexahedra)));
   std::string text =
-      fmt::format("about {} of {:.3g}, along a field on {}", counted(hexahedra, "hexahedron", "hexahedra"),
-                  expected.size, counted(expected.tets, "tet"));
+      fmt::format("about {} of {:.3g}", counted(hexahedra, "hexahedron", "hexahedra"), expected.size);
+  if (expected.tets == 0) return text + ", by a lattice";
+  text += fmt::format(", along a field on {}", counted(expected.tets, "tet"));
   const auto& [used, dropped, dropped_tets] = expected.tet_size;
   if (used == 0) return text;
   text += fmt::format(" of {:.3g} (--tet-size)", used);

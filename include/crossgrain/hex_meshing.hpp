@@ -20,7 +20,7 @@ namespace crossgrain {
 
 /// What the tets of a model say before the work.
 struct HexExpectation {
-  std::size_t tets = 0;
+  std::size_t tets = 0;  ///< 0 of a lattice
   double size = 0;       ///< of the hexahedra, model units
   double hexahedra = 0;  ///< about their number: most often within a factor of two
 

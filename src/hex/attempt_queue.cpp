@@ -25,8 +25,10 @@ AttemptQueue::AttemptQueue(double most_work, double least_quality, const Monitor
 
 void AttemptQueue::tell_more(Progress& progress) const {
   progress.attempt = is_preparing_ && at_meshes_ > 0 ? at_meshes_ : at_meshes_ + 1;
-  progress.tets = round_ + 1;
-  progress.most_tets = std::max(most_rounds_, round_ + 1);
+  if (follows_field_ || is_preparing_) {
+    progress.tets = round_ + 1;
+    progress.most_tets = std::max(most_rounds_, round_ + 1);
+  }
   if (!has_mesh()) return;
   progress.hexahedra = best_->made->mesh.hexahedra.size();
   progress.outcome = best_->made->outcome();
@@ -53,6 +55,7 @@ void AttemptQueue::run() {
     round_ = next->round(*this);
     most_rounds_ = most_rounds();
     plan_ = next->plan(*this);
+    follows_field_ = next->follows_field();
     make(*next);
     next = is_done() || is_stopped_ ? nullptr : ready();
     tell_ends(next);
@@ -96,9 +99,11 @@ void AttemptQueue::tell_ends(const AttemptKind* next) {
       ends_.back().over = why_over();
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       HexAttemptEnd& end = ends_[k];
-      if (k + 1 < ends_.size() && end.next.empty()) end.next = plan_;
-      end.tets = round_ + 1;
-      end.most_tets = most_rounds();
+      if (k + 1 < ends_.size()) end.next = plan_;
+      if (follows_field_) {
+        end.tets = round_ + 1;
+        end.most_tets = most_rounds();
+      }
       on_end_(end);
     }
   }
@@ -174,7 +179,6 @@ void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   candidate.number = attempts_.size();
   if (kind.makes_meshes()) {
     add_end(attempt, end_of(candidate, least_quality_));
-    ends_.back().next = candidate.next;
   }
   attempts_.push_back(attempt);
   if (candidate.made || candidate.followed)

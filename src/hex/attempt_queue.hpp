@@ -65,6 +65,9 @@ class AttemptKind : public Interface {
   /// Whether its attempts are at meshes, not only at what others start from.
   virtual bool makes_meshes() const { return true; }
 
+  /// Whether its attempts are at tets and a field on them.
+  virtual bool follows_field() const { return true; }
+
   /// Whether its attempts are made without any work left if there is no mesh: they give one from what is
   /// there.
   virtual bool is_last_resort() const { return false; }
@@ -180,6 +183,7 @@ class AttemptQueue {
   bool is_preparing_ = false;    ///< and has not begun it
   std::exception_ptr failure_;   ///< of what is ready
   std::string plan_;             ///< of the attempt that is being made
+  bool follows_field_ = true;    ///< that attempt
   double expected_hexahedra_ = 0;
   std::vector<HexAttemptEnd> ends_;  ///< that are not told yet
   std::vector<std::unique_ptr<AttemptKind>> kinds_;

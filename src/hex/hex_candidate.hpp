@@ -53,7 +53,7 @@ struct HexCandidate {
   std::shared_ptr<const FollowingMap> following = {};
   std::shared_ptr<const FeatureFit> fit = {};            ///< that made `made`, without its mesh
   std::shared_ptr<const LatticeHexahedra> lattice = {};  ///< that `made` is of, without its mesh
-  std::string text = {}, next = {};  ///< how it ended and what follows, of one of several in a row
+  std::string text = {};                                 ///< how it ended, if that is known
   HexSeconds seconds = {};
 
   /// Whether the hexahedra fill the model, and are not far fewer than asked for.

@@ -147,6 +147,7 @@ Hexahedra best_lattice(const AttemptQueue& queue) {
   report.expected = queue.expected_hexahedra();
   report.is_stopped |= queue.is_stopped();
   record_attempts(queue, report);
+  choose_remedy_of_lattices(report);
   const HexCandidate* const map = best_map(queue);
   if (map && map->made && map->made->are_complete())
     report.map_fault =
@@ -171,6 +172,8 @@ Hexahedra best_lattice(const AttemptQueue& queue) {
   choose_size(whole.faces, solid, report);
   std::erase_if(whole.warnings, is_of_field);
   whole.warnings.insert(whole.warnings.end(), best.lattice->warnings.begin(), best.lattice->warnings.end());
+  if (queue.limit() && report.outcome != HexOutcome::kAllHex)
+    whole.warnings.push_back(ended_at(*queue.limit()));
   for (const auto& warning :
        {faces_without_quads(whole.faces, solid, report), faces_off(whole.faces, report)})
     if (warning) whole.warnings.push_back(*warning);

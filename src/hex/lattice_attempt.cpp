@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "hex/attempt_kinds.hpp"
 #include "hex/feature_judgement.hpp"
@@ -23,50 +26,64 @@ class LatticeAttempt : public AttemptKind {
 
   const char* name() const override { return kLatticeKind; }
   bool is_last_resort() const override { return true; }
+  bool follows_field() const override { return false; }
 
   std::optional<Turn> next(const AttemptQueue& queue) const override {
-    if (is_made_ || !queue.start() || options_.preference == HexPreference::kMapOnly) return std::nullopt;
+    if (is_over_ || !queue.start() || options_.preference == HexPreference::kMapOnly) return std::nullopt;
     return is_due_now(queue) ? Turn{} : Turn{SIZE_MAX, Turn::Step::kLattice};
   }
 
-  std::string plan(const AttemptQueue&) const override { return "a lattice"; }
+  bool prepare(AttemptQueue& queue) override {
+    is_over_ = true;  // unless it ends well
+    if (!search_) {
+      const StartingField& start = *queue.start();
+      model_.emplace(model_of(start.field.domain()));
+      asked_size_ = start.size;
+      search_.emplace(*model_, start.size, queue.monitor());
+    }
+    is_over_ = !search_->prepare();
+    return !is_over_;
+  }
+
+  std::string plan(const AttemptQueue&) const override { return search_->plan(); }
 
   std::vector<HexCandidate> make(AttemptQueue& queue) override {
-    is_made_ = true;
-    const StartingField& start = *queue.start();
-    std::vector<HexAttemptEnd> ends;
-    LatticeHexahedra found = lattice_hexahedra(model_of(start.field.domain()), start.size, queue.monitor(),
-                                               [&](const HexAttemptEnd& end) { ends.push_back(end); });
-    std::vector<HexCandidate> candidates;
-    for (const HexAttempt& attempt : found.report.attempts) {
-      HexCandidate& candidate = candidates.emplace_back();
-      candidate.attempt = attempt;
-      candidate.attempt.round = round(queue);
-      candidate.attempt.work = kFittingWork * static_cast<double>(attempt.hexahedra);
-      candidate.asked_size = start.size;
-      const HexAttemptEnd& end = ends[candidates.size() - 1];
-      candidate.text = end.text;
-      if (candidates.size() < ends.size()) candidate.next = end.next;
-    }
-    HexCandidate& best = candidates[found.report.best_attempt];
-    MadeHexahedra& made = best.made.emplace();
-    made.mesh = std::exchange(found.mesh, {});
-    made.quality = found.report.quality;
-    made.fills = found.report.outcome != HexOutcome::kPartial || found.report.quality.inverted > 0;
-    made.is_faithful = found.report.outcome == HexOutcome::kAllHex;
-    best.lattice = std::make_shared<const LatticeHexahedra>(std::move(found));
+    is_over_ = true;  // of an error too
+    LatticeSearch::Trial trial = search_->make();
+    is_over_ = false;
+    std::vector<HexCandidate> candidates(1);
+    HexCandidate& candidate = candidates.front();
+    candidate.attempt = trial.attempt;
+    candidate.attempt.round = round(queue);
+    candidate.attempt.work = kFittingWork * static_cast<double>(trial.attempt.hexahedra);
+    candidate.asked_size = asked_size_;
+    candidate.text = std::move(trial.text);
+    if (trial.better) add_mesh(*std::move(trial.better), candidate);
     return candidates;
   }
 
  private:
-  /// Once the first maps have led to no mesh that keeps the model: others do so seldom.
+  /// Once the first maps have led to no mesh that keeps the model: others do so seldom. Lattices that have
+  /// begun go on.
   bool is_due_now(const AttemptQueue& queue) const {
-    if (options_.preference == HexPreference::kLattice) return true;
+    if (search_ || options_.preference == HexPreference::kLattice) return true;
     return options_.preference != HexPreference::kMap && queue.best() != nullptr;
   }
 
+  static void add_mesh(LatticeHexahedra found, HexCandidate& candidate) {
+    MadeHexahedra& made = candidate.made.emplace();
+    made.mesh = std::exchange(found.mesh, {});
+    made.quality = found.report.quality;
+    made.fills = found.report.outcome != HexOutcome::kPartial || found.report.quality.inverted > 0;
+    made.is_faithful = found.report.outcome == HexOutcome::kAllHex;
+    candidate.lattice = std::make_shared<const LatticeHexahedra>(std::move(found));
+  }
+
   const HexOptions options_;
-  bool is_made_ = false;
+  std::optional<FittingModel> model_;
+  std::optional<LatticeSearch> search_;
+  double asked_size_ = 0;
+  bool is_over_ = false;
 };
 
 }  // namespace

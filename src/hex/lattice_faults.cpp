@@ -36,15 +36,15 @@ void add_far_points(const TriangleBvh& surface, const std::vector<Vector3>& poin
     if (is_far[k]) far.push_back(points[k]);
 }
 
-std::vector<Fault> faults_of(const LatticeHexahedra& made, const Surface& model, double size) {
-  const HexMesh& mesh = made.mesh;
+std::vector<Fault> faults_of(const HexMesh& mesh, const HexFeatures& features, const Surface& model,
+                             double size) {
   std::vector<Fault> faults;
   const std::vector<double> shapes = scaled_jacobians(mesh);
   for (std::size_t h = 0; h < shapes.size(); ++h)
     if (shapes[h] < kGoodShape) faults.push_back({centre_of(mesh, h)});
   const std::vector<Vector3> of_model = points_on(model.mesh.vertices, model.mesh.triangles);
   std::vector<Vector3> far;
-  for (const HexFeatures::Lack& lack : made.report.features->lacking)
+  for (const HexFeatures::Lack& lack : features.lacking)
     if (lack.kind < HexLackKind::kOffModel) faults.push_back({lack.place});
   TriangleMesh skin = surface_triangles(mesh);
   const TriangleBvh tree(model);
@@ -57,11 +57,11 @@ std::vector<Fault> faults_of(const LatticeHexahedra& made, const Surface& model,
 
 }  // namespace
 
-std::vector<FinePlace> places_to_refine(const LatticeHexahedra& made, const Surface& model, double size,
-                                        const std::vector<FinePlace>& earlier) {
+std::vector<FinePlace> places_to_refine(const HexMesh& mesh, const HexReport& report, const Surface& model,
+                                        double size, const std::vector<FinePlace>& earlier) {
   std::vector<FinePlace> fine;
-  if (!made.report.features) return fine;
-  for (const Fault& fault : faults_of(made, model, size)) {
+  if (!report.features) return fine;
+  for (const Fault& fault : faults_of(mesh, *report.features, model, size)) {
     double here = size;
     for (const FinePlace& other : earlier)
       if (norm(other.at - fault.place) < 2 * other.size) here = std::min(here, other.size);

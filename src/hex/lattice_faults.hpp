@@ -4,17 +4,18 @@
 
 #include <vector>
 
-#include "hex/lattice_search.hpp"
+#include "crossgrain/hex_mesh.hpp"
+#include "crossgrain/hex_report.hpp"
 #include "lattice/lattice_planes.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
 
 /// Returns the places where hexahedra of about `size` are badly shaped, lack a feature, or are farther from
-/// the surface than kFarOff. Each has the size that is to be
-/// tried there: kFinerSize of that at the nearest place in `earlier` (which it is near to), else of `size`.
-std::vector<FinePlace> places_to_refine(const LatticeHexahedra& made, const Surface& model, double size,
-                                        const std::vector<FinePlace>& earlier);
+/// the surface than kFarOff; none if the report has no features. Each has the size that is to be tried there:
+/// kFinerSize of that at the nearest place in `earlier` (which it is near to), else of `size`.
+std::vector<FinePlace> places_to_refine(const HexMesh& mesh, const HexReport& report, const Surface& model,
+                                        double size, const std::vector<FinePlace>& earlier);
 
 /// In sizes of hexahedra: less than the distance in all that a faithful mesh may have (measure/
 /// surface_distance.hpp), so that what is next to it is refined too.

@@ -2,13 +2,18 @@
 // Hexahedra of lattices put onto a model: the sizes that are tried.
 #pragma once
 
-#include <functional>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "crossgrain/hexahedra.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/warning.hpp"
+#include "hex/lattice_faults.hpp"
 #include "hex/model_fitting.hpp"
+#include "lattice/lattice.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
@@ -17,22 +22,78 @@ namespace crossgrain {
 Surface outer_surface(const FeatureComplex& features);
 
 struct LatticeHexahedra {
-  HexMesh mesh;      ///< with boundary and tags
-  HexReport report;  ///< with an attempt for each lattice
+  HexMesh mesh;  ///< with boundary and tags
+  HexReport report;
   std::vector<Warning> warnings;
 };
 
-/// Returns hexahedra of about `size` that fill a model: cells of a lattice (lattice_of), fitted to its
-/// features. Where something is lacking, the planes are made finer there (places_to_refine), kMostRefinements
-/// times; then smaller sizes follow (kSmallerLattice), until all is kept with good shapes, or their cells
-/// would be more than kMostOfLattice times those of the size; lattices of another topology than the model are
-/// left out if there is one of the same. The best is all-hex; then the one that lacks less; then the better
-/// shaped, by classes and then by the number of poor ones; then the one with fewer hexahedra.
-///
-/// Throws Error(kLimit); Error(kInterrupted) by the monitor, and by a stop before there is a mesh: else a
-/// stop returns the best so far.
-LatticeHexahedra lattice_hexahedra(const FittingModel& model, double size, const Monitor& monitor,
-                                   const std::function<void(const HexAttemptEnd&)>& on_end = {});
+/// Hexahedra that fill a model: cells of lattices (lattice_of), fitted to its features. Where something is
+/// lacking, the planes are made finer there (places_to_refine), kMostRefinements times; then smaller sizes
+/// follow (kSmallerLattice), until all is kept with good shapes, or their cells would be more than
+/// kMostOfLattice times those of the size; lattices of another topology than the model are left out if there
+/// is one of the same. Of two, all-hex is better; then the one that lacks less; then the better shaped, by
+/// classes and then by the number of poor ones; then the one with fewer hexahedra.
+class LatticeSearch {
+ public:
+  /// Model and monitor must outlive it. `size` is about that of the hexahedra.
+  LatticeSearch(const FittingModel& model, double size, const Monitor& monitor);
+  ~LatticeSearch();
+  LatticeSearch(const LatticeSearch&) = delete;
+  LatticeSearch& operator=(const LatticeSearch&) = delete;
+
+  /// Makes the cells of the next lattice, if that is not done yet; returns whether there is one.
+  bool prepare();
+
+  /// Of the lattice that is prepared: what it is, for the user: "a lattice of 2.1, about 1200 hexahedra"; its
+  /// size; and about how many hexahedra it becomes, most often within a factor of two.
+  std::string plan() const;
+  double size() const;
+  double expected() const;
+
+  struct Trial {
+    HexAttempt attempt;
+    std::string text;                        ///< how it ended
+    std::optional<LatticeHexahedra> better;  ///< if it is better than all before; without attempts
+  };
+
+  /// Fits what is prepared to the model. Throws Error(kLimit), and Error(kInterrupted) by the monitor; the
+  /// lattice is over then.
+  Trial make();
+
+ private:
+  struct Prepared;
+
+  HexAttempt begin(const Prepared& prepared);
+  Trial skipped(Prepared& prepared);
+  Trial fitted(Prepared& prepared);
+  void next_coarse();
+  void choose_next(const LatticeHexahedra& last);
+  bool may_take(double size) const;
+  bool is_done() const;
+  Lattice lattice_at(double size) const;
+  void require_memory_to_fit(const Lattice& lattice) const;
+
+  const FittingModel& model_;
+  const Surface surface_;
+  const std::vector<int> shells_;
+  const std::vector<std::vector<Vector3>> holes_, lines_;
+  const Monitor& monitor_;
+  const double asked_size_;
+  double next_size_;
+  const double expected_;        ///< hexahedra of the size asked for
+  double fitted_ = 0;            ///< hexahedra of all lattices that were fitted
+  std::vector<FinePlace> fine_;  ///< of the next lattice
+  int refinements_ = 0;          ///< of lattices of this size
+  std::size_t tried_ = 0;
+  std::unique_ptr<Prepared> prepared_;
+  std::unique_ptr<Prepared> other_;  ///< the last of another topology, fitted only where there is no other
+  std::optional<HexReport> best_;
+};
+
+/// Sets what may help of what the best of lattices lacks: the size that would come next, or a smaller one
+/// that is known to; where only shapes are bad, none, since smaller ones were no help. The report has all
+/// attempts.
+void choose_remedy_of_lattices(HexReport& report);
 
 /// Each lattice's size, as a share of the one before.
 inline constexpr double kSmallerLattice = 0.7;

@@ -106,6 +106,7 @@ Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& na
   }
   for (const std::vector<Vector3>& hole : narrow.holes) of_narrow.holes.push_back(box_along(hole));
   if (narrow.have_rings) add_rings(of_narrow.holes);
+  lattice.slanted_share = slanted_share(along);
   const LatticePlanes planes = lattice_planes(along, size, of_narrow);
   require_memory_of(planes);
   const KeptCells kept = kept_cells(volume_shares(along, planes), planes);

@@ -29,10 +29,11 @@ struct NarrowFeatures {
 };
 
 struct Lattice {
-  HexMesh mesh;             ///< with its boundary, without tags
-  Quaternion axes;          ///< lattice_axes
-  std::size_t toggled = 0;  ///< KeptCells
-  std::vector<int> shells;  ///< euler_numbers_of_shells of its surface; empty if that is no manifold
+  HexMesh mesh;              ///< with its boundary, without tags
+  Quaternion axes;           ///< lattice_axes
+  double slanted_share = 0;  ///< of the area of the surface, what is in no plane of a lattice (slanted_share)
+  std::size_t toggled = 0;   ///< KeptCells
+  std::vector<int> shells;   ///< euler_numbers_of_shells of its surface; empty if that is no manifold
 };
 
 /// Returns the cells that are kept (kept_cells) of a lattice on planes (lattice_planes) turned to a closed

@@ -133,6 +133,17 @@ double PlaneDistance::after(double low, double high, double count) const {
   return high;
 }
 
+double slanted_share(const Surface& surface) {
+  double slanted = 0, all = 0;
+  for (std::size_t t = 0; t < surface.size(); ++t) {
+    const Vector3& normal = surface.normals[t];
+    all += surface.areas[t];
+    if (std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])}) < kNormalCosine)
+      slanted += surface.areas[t];
+  }
+  return slanted / all;
+}
+
 LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPlanes& narrow) {
   const auto is_wall = [&](const FlatArea& a, const FlatArea& b) {
     return narrow.walls && bound_wall(a, b, size);

@@ -65,6 +65,9 @@ class PlaneDistance {
 /// others between two of them as fit best; and on either side one that the surface does not reach.
 LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPlanes& narrow = {});
 
+/// Returns the share of a surface's area that is normal to no axis.
+double slanted_share(const Surface& surface);
+
 /// By how much planes may be farther apart for each length away from a finer place: less than a half leaves
 /// neighbours in a ratio of 1.6 at most.
 inline constexpr double kGrowth = 0.5;

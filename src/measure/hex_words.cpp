@@ -66,6 +66,8 @@ std::string sizes_of(const HexReport& report) {
                              : is_more  ? (added_by_fit(report) > 0 ? "its features need layers of them"
                                                                     : "each wall and gap has one across")
                                         : "the field leaves room for fewer";
+  if (report.is_of_lattice() && is_smaller)
+    return fmt::format("{}, not {:.3g} as asked for: {}", text, report.size, reason);
   return fmt::format("{}, not about {:.0f} of {:.3g}: {}", text, expected, report.size, reason);
 }
 

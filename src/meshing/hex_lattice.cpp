@@ -14,7 +14,7 @@
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "hex/hex_making.hpp"
-#include "hex/lattice_search.hpp"
+#include "hex/lattice_trials.hpp"
 #include "hex/model_fit.hpp"
 #include "meshing/asked_hexahedra.hpp"
 #include "meshing/read_model.hpp"
@@ -74,7 +74,12 @@ FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& optio
   const double size = options.hexahedra.size > 0
                           ? options.hexahedra.size
                           : longest_side(model.description.bounding_box) / options.hexahedra.cells;
-  LatticeHexahedra found = lattice_hexahedra(model.model, size, monitor, options.on_attempt_end);
+  LatticeListeners listeners{.on_expected = {}, .on_end = options.on_attempt_end};
+  if (options.on_expected)
+    listeners.on_expected = [&](double first_size, double hexahedra) {
+      options.on_expected({.tets = 0, .size = first_size, .hexahedra = hexahedra, .tet_size = {}});
+    };
+  LatticeHexahedra found = lattice_hexahedra(model.model, size, monitor, listeners);
   made.surface = shown_surface(model.model.features);
   report.model = std::move(model.description);
   report.faces = std::move(model.faces);

@@ -56,6 +56,7 @@ class Lattice(CommandTest):
         printed, report = self.made("--lattice", "--cells", "8")
         self.assertIn("all-hex by a lattice: ", printed)
         self.assertIn("attempt 1 of 1: lattice", printed)
+        self.assertRegex(printed, r"(?m)^expected   about \d+ hexahedra of \S+, by a lattice$")
         self.assertNotIn("tets", printed)
         self.assertRegex(printed, r"(?m)^files      out: report.html, hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
         self.assertGreater(report["scaled_jacobian"]["min"], 0.999)

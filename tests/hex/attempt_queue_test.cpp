@@ -111,12 +111,14 @@ class LatticeDummy : public AttemptKind {
 
   const char* name() const override { return kLatticeKind; }
   std::string plan(const AttemptQueue&) const override { return "a lattice"; }
+  bool follows_field() const override { return false; }
   std::optional<Turn> next(const AttemptQueue& queue) const override {
     return is_over_ || !queue.best() ? std::nullopt : std::optional(Turn{});
   }
 
-  std::vector<HexCandidate> make(AttemptQueue&) override {
+  std::vector<HexCandidate> make(AttemptQueue& queue) override {
     is_over_ = true;
+    queue.monitor().report({Phase::kSmooth, 0, 0, 0, 0});
     HexCandidate candidate = candidate_that_misses(0);
     candidate.made->is_faithful = is_faithful_;
     candidate.lattice = std::make_shared<LatticeHexahedra>();
@@ -149,10 +151,13 @@ TEST(AttemptQueue, TakesAFurtherKindByOneLine) {
 
 /// Maps of which only the last but one fills the model, and a lattice.
 struct BesideALattice {
-  const Monitor monitor;
+  std::vector<Progress> heard;
+  std::vector<HexAttemptEnd> ends;
+  const Monitor monitor{[this](const Progress& progress) { heard.push_back(progress); }};
   AttemptQueue queue{kPlenty, 0.05, monitor};
 
   explicit BesideALattice(bool is_faithful) {
+    queue.hear_ends([this](const HexAttemptEnd& end) { ends.push_back(end); });
     queue.limit_maps_beside_lattice(/*work=*/40, /*if_good=*/20);
     const auto fails = [](std::size_t round) { return Dummy::Planned{{round, Step::kTets}, {0.5}}; };
     queue.add(dummy({fails(1), fails(1), fails(1), {{1, Step::kTets}, {0}}, fails(1)}));
@@ -172,6 +177,17 @@ TEST(AttemptQueue, TakesAGoodMapInPlaceOfALattice) {
   EXPECT_EQ(kinds_of(poor.queue), (std::vector<std::string>{"a", kLatticeKind, "a", "a", "a"}));
   EXPECT_FALSE(poor.queue.best()->lattice);
   EXPECT_EQ(poor.queue.best_attempt(), 4u);
+}
+
+TEST(AttemptQueue, TellsNoTetsOfALattice) {
+  const BesideALattice good(true);
+  ASSERT_EQ(good.heard.size(), 1U);
+  EXPECT_EQ(good.heard[0].attempt, 2U);
+  EXPECT_EQ(good.heard[0].most_tets, 0U);
+  ASSERT_EQ(good.ends.size(), 3U);
+  EXPECT_EQ(good.ends[0].next, "a lattice");
+  EXPECT_GT(good.ends[0].most_tets, 0U);
+  EXPECT_EQ(good.ends[1].most_tets, 0U);
 }
 
 TEST(AttemptQueue, MakesWhatIsDueFirstWhicheverKindItIs) {

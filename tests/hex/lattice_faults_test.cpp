@@ -8,6 +8,7 @@
 
 #include "base/vector3.hpp"
 #include "fit/hex_lattice.hpp"
+#include "hex/lattice_search.hpp"
 #include "measure/hex_faces.hpp"
 #include "support/shapes.hpp"
 
@@ -31,21 +32,22 @@ struct Low {
 
 TEST(PlacesToRefine, AreThoseFarFromTheSurfaceWithItsNormal) {
   const Low low(4.5);
-  const std::vector<FinePlace> places = places_to_refine(low.made, low.model, 1, {});
+  const std::vector<FinePlace> places = places_to_refine(low.made.mesh, low.made.report, low.model, 1, {});
   ASSERT_FALSE(places.empty());
   for (const FinePlace& place : places) {
     EXPECT_GT(place.at[2], 3.9);
     EXPECT_NEAR(std::abs(place.normal[2]), 1, 0.01) << place.at[0] << " " << place.at[1];
     EXPECT_EQ(place.size, kFinerSize);
   }
-  EXPECT_TRUE(places_to_refine(Low(4.2).made, Low(4.2).model, 1, {}).empty()) << "near enough";
+  const Low near(4.2);
+  EXPECT_TRUE(places_to_refine(near.made.mesh, near.made.report, near.model, 1, {}).empty()) << "near enough";
 }
 
 TEST(PlacesToRefine, AreFinerThanWhereItWasTriedBefore) {
   const Low low(4.5);
   const std::vector<FinePlace> before = {{{2, 2, 4}, 0.5, {0, 0, 1}}};
   bool has_finer = false;
-  for (const FinePlace& place : places_to_refine(low.made, low.model, 1, before))
+  for (const FinePlace& place : places_to_refine(low.made.mesh, low.made.report, low.model, 1, before))
     has_finer |= place.size == kFinerSize * 0.5;
   EXPECT_TRUE(has_finer);
 }
@@ -54,7 +56,7 @@ TEST(PlacesToRefine, AreThoseOfLostFeaturesAndOfBadShapesInAllDirections) {
   Low low(4);
   low.made.report.features->lacking.push_back({HexLackKind::kCrease, 1, {4, 4, 1}});
   low.made.mesh.vertices[0] = {1.2, 1.2, 1.2};
-  const std::vector<FinePlace> places = places_to_refine(low.made, low.model, 1, {});
+  const std::vector<FinePlace> places = places_to_refine(low.made.mesh, low.made.report, low.model, 1, {});
   const auto is_near = [&](const Vector3& at) {
     return std::ranges::any_of(
         places, [&](const FinePlace& place) { return norm(place.at - at) < 1 && norm(place.normal) == 0; });

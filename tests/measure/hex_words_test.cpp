@@ -69,10 +69,10 @@ TEST(SentenceOfHexahedra, TellsOfALatticeThatItIsOneAndWhyThereIsNoMap) {
   report.attempts[0].kind = "lattice";
   report.attempts[0].number = 1;
   report.map_fault = "hexahedra would be turned inside out at 1 2 3";
-  EXPECT_EQ(sentence_of(report),
-            "all-hex by a lattice: 3000 hexahedra, mean edge 1.4, not about 1000 of 2: larger ones of a "
-            "lattice do not keep "
-            "the model");
+  EXPECT_EQ(
+      sentence_of(report),
+      "all-hex by a lattice: 3000 hexahedra, mean edge 1.4, not 2 as asked for: larger ones of a lattice "
+      "do not keep the model");
   EXPECT_EQ(way_of(report),
             "attempt 1 of 1: lattice; no map, since hexahedra would be turned inside out at 1 2 3");
 }
