@@ -3,7 +3,7 @@
 """Prints, for each model, when `hex` first says how it will end, how it ends, and how good its forecast was.
 
 A table in Markdown: processor seconds to the first line that tells the outcome and in all, helpers included; exit code; number of
-hexahedra expected and made; the lines `hexahedra` and `worst`. Then how many forecasts were within a factor of two. The line that
+hexahedra told before the attempt whose mesh is written, and made; the lines `hexahedra` and `worst`. Then how many forecasts were within a factor of two. The line that
 tells is that of the first attempt that fills the model, the line `hexahedra` itself, or an error, whichever comes first.
 """
 import argparse
@@ -63,6 +63,20 @@ class Run:
     def first_word(self):
         return min(self.seconds, next((at for at, text in self.lines if TELLS.search(text)), self.seconds))
 
+    def forecast(self):
+        """The last number told before the end of the attempt whose mesh is written: of maps in the row `expected`, of a lattice with the plan."""
+        of_maps = told = 0
+        best = self.hexahedra["attempts"][self.hexahedra["best_attempt"]]["number"]
+        for _, text in self.lines:
+            if expected := re.match(r"expected +about ([\d.e+]+)", text):
+                of_maps = told = float(expected[1])
+            elif ended := re.match(r"attempt (\d+):", text):
+                if int(ended[1]) == best:
+                    break
+                plan = re.search(r"; trying .*, about ([\d.e+]+)", text)
+                told = float(plan[1]) if plan else of_maps
+        return told
+
     def words(self):
         kept = [text.split(None, 1)[1] for _, text in self.lines if re.match(r"(hexahedra|worst) +\S", text)]
         return "; ".join(kept) if kept else next((text for _, text in reversed(self.lines) if text.startswith("crossgrain:")), "")
@@ -79,7 +93,7 @@ def main():
     ratios = {True: [], False: []}
     for model in arguments.models:
         run = Run(arguments.program, model, arguments.options.split(), arguments.limit)
-        expected, made = (run.hexahedra["expected"], run.hexahedra["hexahedra"]) if run.hexahedra else (0, 0)
+        expected, made = (run.forecast(), run.hexahedra["hexahedra"]) if run.hexahedra else (0, 0)
         if made > 0:
             ratios[run.hexahedra["outcome"] == "all-hex"].append(max(expected, made) / min(expected, made))
         print(f"| {model.name} | {run.first_word():.1f} | {run.seconds:.1f} | {run.code} | {expected:.0f} | {made} | {run.words()} |", flush=True)
