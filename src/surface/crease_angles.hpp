@@ -18,6 +18,20 @@ struct FadingCreases {
   double least_radii = 80;
 };
 
+/// Which edges less sharp than a crease close its gaps: a curve that is sharp on most of its length is one.
+/// The sweep in docs/notes/solver.md chose the values.
+struct CreaseGaps {
+  /// Edges of a gap have more than this share of the smallest angle of a crease; 1 closes no gap.
+  double share = 0.7;
+
+  /// The gaps of a curve are together at most this long, in lengths of its sharp edges.
+  double longest = 1;
+
+  /// A path has gaps closed if it has this length in radii, as FadingCreases::least_radii, or an edge above
+  /// FadingCreases::sure_deg: edges along coarse holes and fillets are up to nine radii long.
+  double least_radii = 10;
+};
+
 /// Which edges of a surface count as creases. Angles are in degrees, above 0 and at most 180.
 struct CreaseAngles {
   /// Smallest angle between the normals beside a sharp edge; 180 makes no edge sharp. Ignored for meshes that
@@ -25,6 +39,7 @@ struct CreaseAngles {
   double least_deg = 35;
 
   FadingCreases fading = {};
+  CreaseGaps gaps = {};
 };
 
 }  // namespace crossgrain

@@ -6,55 +6,24 @@
 #include <utility>
 
 #include "base/degree.hpp"
-#include "base/elementary.hpp"
 #include "base/vector3.hpp"
-#include "surface/crease_network.hpp"
+#include "surface/crease_gaps.hpp"
 #include "surface/edge_uses.hpp"
+#include "surface/sharp_edges.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// Returns the cosine of the angle between the normals on one side of an edge, regardless of the triangles'
-/// orientation.
-double cosine_between(const Surface& surface, const EdgeUse& a, const EdgeUse& b) {
-  const double cosine = dot(surface.normals[a.triangle], surface.normals[b.triangle]);
-  return a.forward == b.forward ? -cosine : cosine;
-}
-
-/// Returns the least cosine between two normals at an edge, 1 for an edge of one triangle.
-double least_cosine_at(const Surface& surface, std::span<const EdgeUse> uses) {
-  double least = 1;
-  for (std::size_t a = 0; a < uses.size(); ++a) {
-    for (std::size_t b = a + 1; b < uses.size(); ++b)
-      least = std::min(least, cosine_between(surface, uses[a], uses[b]));
-  }
-  return least;
-}
-
-/// Returns the sharp edges that count, ascending. Those of a surface that is not smooth beside them hold what
-/// ends there: tagged edges, open ones, and those of three or more triangles.
+/// Returns the sharp edges that count, ascending.
 std::vector<std::array<std::uint32_t, 2>> sharp_edges(const Surface& surface,
                                                       std::span<const EdgeUse> all_uses,
                                                       const CreaseAngles& angles,
                                                       std::span<const std::array<std::uint32_t, 2>> tagged) {
-  const double least_cosine = std::cos(angles.least_deg * kDegree);
-  std::vector<SharpEdge> sharp;
-  std::vector<std::uint32_t> holding;
-  for (const auto& edge : tagged) holding.insert(holding.end(), edge.begin(), edge.end());
-  for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
-    const std::array ends{uses[0].low(), uses[0].high()};
-    if (uses.size() != 2) holding.insert(holding.end(), ends.begin(), ends.end());
-    const double cosine = least_cosine_at(surface, uses);
-    if (cosine >= least_cosine) return;
-    const double turn_rad = arc_cosine(std::max(cosine, -1.0));
-    const auto& at = surface.mesh.vertices;
-    const double area = surface.areas[uses[0].triangle] + surface.areas[uses[1].triangle];
-    sharp.push_back({ends, turn_rad, length_in_radii(turn_rad, norm(at[ends[1]] - at[ends[0]]), area)});
-  });
-  const std::vector<std::uint8_t> counts = are_creases(sharp, holding, angles.fading);
   std::vector<std::array<std::uint32_t, 2>> edges;
-  for (std::size_t e = 0; e < sharp.size(); ++e)
-    if (counts[e]) edges.push_back(sharp[e].vertices);
+  for (const SharpEdge& edge :
+       edges_of_creases(angled_edges(surface, all_uses, least_turn_in_gaps(angles), tagged),
+                        surface.mesh.vertices, angles))
+    edges.push_back(edge.vertices);
   return edges;
 }
 

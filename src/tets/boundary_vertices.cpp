@@ -9,6 +9,7 @@
 #include "base/degree.hpp"
 #include "base/elementary.hpp"
 #include "base/vector3.hpp"
+#include "surface/crease_gaps.hpp"
 #include "surface/crease_network.hpp"
 #include "surface/edge_uses.hpp"
 #include "surface/surface.hpp"
@@ -97,7 +98,8 @@ std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeature
   std::vector<VertexPair> edges;
   std::vector<SharpEdge> sharp;
   std::vector<std::uint32_t> holding;
-  const double flattest_cosine = std::cos(options.sharp_dihedral_deg * kDegree);
+  const CreaseAngles angles{.least_deg = options.sharp_dihedral_deg, .fading = options.fading};
+  const double flattest_cosine = std::cos(least_turn_in_gaps(angles));
   std::vector<EdgeUse> uses = sorted_edge_uses(all.faces);
   std::erase_if(uses, [&](const EdgeUse& use) { return all.shapes[use.triangle].area == 0; });
   for_each_edge(std::span(uses), [&](std::span<const EdgeUse> edge) {
@@ -118,6 +120,7 @@ std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeature
     if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
   }
   for (const VertexPair& edge : edges) holding.insert(holding.end(), edge.begin(), edge.end());
+  sharp = with_closed_gaps(std::move(sharp), vertices, holding, angles);
   const std::vector<std::uint8_t> counts = are_creases(sharp, holding, options.fading);
   for (std::size_t e = 0; e < sharp.size(); ++e)
     if (counts[e]) edges.push_back(sharp[e].vertices);
