@@ -20,6 +20,7 @@
 #include "crossgrain/tet_domain.hpp"
 #include "support/curved_shapes.hpp"
 #include "surface/creases.hpp"
+#include "surface/faded_creases.hpp"
 #include "surface/surface.hpp"
 #include "surface/topology.hpp"
 
@@ -79,7 +80,9 @@ void print_row(const std::string& name, TriangleMesh mesh, double angle_deg) {
     if (!truth.edges.empty()) std::printf("/%zu", right);
     std::printf(": %zu (%zu)", with.curves, with.open);
   }
-  std::printf("\n");
+  angles.gaps = {};
+  const auto warning = faded_crease_warning(surface, sorted_edge_uses(surface.mesh.triangles), angles);
+  std::printf("%s%s\n", warning ? "\n  " : "", warning ? sentence_of(*warning).c_str() : "");
   std::fflush(stdout);
 }
 

@@ -66,6 +66,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kGiveTetSize, "try --size {}", kTets},
     {Remedy::kGiveTetSize, "try --tet-size {}", kFolders},
     {Remedy::kGiveCellSize, "try --cell-size {}", kSolve},
+    {Remedy::kUseCreaseAngle, "follow such edges with --crease-angle {}", kModels},
     {Remedy::kGiveHexSize, "try --size {}", kHex},
     {Remedy::kUseHexSize, "try --size {}", kHex},
     {Remedy::kTakeLargerHexahedra, "raise --size, or lower --cells", kHex},

@@ -94,7 +94,8 @@ enum class Remedy : int {
   kRaiseResolution,
   kLowerResolution,
   kUseLessMemory,
-  kGiveCellSize,  ///< another SolveOptions::cell_size; with a number
+  kUseCreaseAngle,  ///< crease_angle_deg of the options; with a number
+  kGiveCellSize,    ///< another SolveOptions::cell_size; with a number
   kTurnView,
 
   // The answer whether hexahedra can follow a field (Answer::Reason).
@@ -130,7 +131,7 @@ const char* words_of(Remedy remedy);
 inline bool has_number(Remedy remedy) {
   return remedy == Remedy::kUseResolution || remedy == Remedy::kUseEdgeLength ||
          remedy == Remedy::kUseHexSize || remedy == Remedy::kGiveHexSize || remedy == Remedy::kGiveTetSize ||
-         remedy == Remedy::kGiveCellSize;
+         remedy == Remedy::kGiveCellSize || remedy == Remedy::kUseCreaseAngle;
 }
 
 /// Returns a remedy in words, with its number if it has one: "use a resolution of 128".

@@ -50,6 +50,7 @@ enum class WarningKind : int {
   kCrossedInterfaces,  ///< hexahedra reach across faces between solids
   kCrowdedCorners,     ///< more than three creases meet
   kKnifeEdges,         ///< edges are too sharp for any frame
+  kFadedCreases,       ///< creases end in the smooth surface, which a smaller angle would follow
 
   // The solve.
   kUnfinished,          ///< it was stopped

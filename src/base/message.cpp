@@ -87,6 +87,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kLowerResolution, "lower_resolution", "lower the resolution, or take larger cells"},
     {Remedy::kUseLessMemory, "use_less_memory",
      "lower the resolution, take larger cells or allow more memory"},
+    {Remedy::kUseCreaseAngle, "use_crease_angle", "follow such edges by a smaller crease angle"},
     {Remedy::kGiveCellSize, "give_cell_size", "give another size of cells"},
     {Remedy::kTurnView, "turn_view", "choose another view or cut"},
     {Remedy::kRoundEdge, "round_edge", "give the edge a fillet or a chamfer"},
@@ -141,6 +142,7 @@ std::string words_of(Remedy remedy, double number) {
   if (remedy == Remedy::kGiveHexSize) return fmt::format("try hexahedra of {:.3g}", number);
   if (remedy == Remedy::kGiveTetSize) return fmt::format("try tets of {:.3g}", number);
   if (remedy == Remedy::kGiveCellSize) return fmt::format("try cells of {:.3g}", number);
+  if (remedy == Remedy::kUseCreaseAngle) return fmt::format("use a crease angle of {:.0f} degrees", number);
   return words_of(remedy);
 }
 

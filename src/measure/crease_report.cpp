@@ -13,6 +13,7 @@
 #include "measure/alignment.hpp"
 #include "measure/angle_statistics.hpp"
 #include "surface/edge_uses.hpp"
+#include "surface/faded_creases.hpp"
 #include "surface/topology.hpp"
 
 namespace crossgrain {
@@ -89,6 +90,8 @@ CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, 
   curves = surface.mesh.creases.empty() ? curves_of(surface, uses, inner, angles)
                                         : without_repeats(surface.mesh.creases);
   corners = corners_of(curves);
+  if (surface.mesh.creases.empty() && inner.triangles.empty())
+    faded = faded_crease_warning(surface, uses, angles);
   knives = knife_edges(surface, uses, inside_out);
 }
 
@@ -120,6 +123,7 @@ SolveReport::Creases crease_report(const CreaseNetwork& creases, const PlaceSamp
 
 std::vector<Warning> crease_warnings(const CreaseNetwork& creases) {
   std::vector<Warning> warnings;
+  if (creases.faded) warnings.push_back(*creases.faded);
   const auto crowded = std::ranges::find_if(creases.corners, is_crowded);
   if (crowded != creases.corners.end()) {
     const auto count = static_cast<std::size_t>(std::ranges::count_if(creases.corners, is_crowded));

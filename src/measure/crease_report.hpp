@@ -2,6 +2,7 @@
 // The creases of a surface, and the alignment of a field with them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "crossgrain/report.hpp"
@@ -15,6 +16,7 @@ struct CreaseNetwork {
   std::vector<CreaseCurve> curves;
   std::vector<CreaseCorner> corners;
   KnifeEdges knives;
+  std::optional<Warning> faded;  ///< `faded_crease_warning`, of a mesh without creases
 
   /// Takes the creases of the mesh; if it has none, its sharp edges, those of `inner` faces and those where
   /// they meet the surface.
@@ -26,7 +28,7 @@ struct CreaseNetwork {
 /// model units.
 SolveReport::Creases crease_report(const CreaseNetwork& creases, const PlaceSampler& sampler, double step);
 
-/// Warnings about places where no frame fits all faces.
+/// Warnings about creases that fade out, and places where no frame fits all faces.
 std::vector<Warning> crease_warnings(const CreaseNetwork& creases);
 
 }  // namespace crossgrain

@@ -95,9 +95,8 @@ ReadModel model_of(TriangleMesh surface, const HexFitOptions& options) {
   TriangleMesh units;
   units.unit = surface.unit;
   units.file_unit = surface.file_unit;
-  const ClosedModel model(std::move(surface));
-  return read_given(model.given(model.patches(options.crease_angle_deg), options.crease_angle_deg), units,
-                    model.warnings());
+  const ClosedModel model(std::move(surface), options.crease_angle_deg);
+  return read_given(model.given(model.patches()), units, model.warnings());
 }
 
 ReadModel read_model(const std::filesystem::path& path, const HexFitOptions& options,

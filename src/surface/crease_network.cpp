@@ -42,6 +42,19 @@ class Strands {
     find_strands();
   }
 
+  std::vector<OpenStrand> open() const {
+    std::vector<OpenStrand> result;
+    for (const Strand& strand : strands_) {
+      std::vector<std::uint32_t> edges = strand.edges;
+      const std::uint32_t low = std::min(strand.ends[0], strand.ends[1]);
+      const std::uint32_t end = is_open(low) ? low : std::max(strand.ends[0], strand.ends[1]);
+      if (!is_open(end)) continue;
+      if (end != strand.ends[0]) std::reverse(edges.begin(), edges.end());
+      result.push_back({std::move(edges), vertices_[end]});
+    }
+    return result;
+  }
+
   std::vector<std::uint8_t> without_fading() {
     while (!weakest_.empty()) {
       const std::uint32_t s = weakest_.top().second;
@@ -56,6 +69,8 @@ class Strands {
     return static_cast<std::uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), vertex) -
                                       vertices_.begin());
   }
+
+  bool is_open(std::uint32_t at) const { return strands_at_[at].size() == 1 && !holds_[at]; }
 
   bool is_passed(std::uint32_t at) const { return edges_at_[at].size() == 2 && !holds_[at]; }
 
@@ -96,9 +111,7 @@ class Strands {
   }
 
   bool does_not_count(const Strand& strand) const {
-    const bool fades = std::any_of(strand.ends.begin(), strand.ends.end(), [&](std::uint32_t end) {
-      return strands_at_[end].size() == 1 && !holds_[end];
-    });
+    const bool fades = is_open(strand.ends[0]) || is_open(strand.ends[1]);
     return fades && strand.turn_rad < sure_rad_ && strand.radii < radii_;
   }
 
@@ -158,6 +171,11 @@ double length_in_radii(double turn_rad, double length, double area) {
 std::vector<std::uint8_t> are_creases(std::span<const SharpEdge> edges,
                                       std::span<const std::uint32_t> holding, const FadingCreases& fading) {
   return Strands(edges, holding, fading).without_fading();
+}
+
+std::vector<OpenStrand> open_strands(std::span<const SharpEdge> edges,
+                                     std::span<const std::uint32_t> holding) {
+  return Strands(edges, holding, {}).open();
 }
 
 }  // namespace crossgrain

@@ -32,4 +32,14 @@ double length_in_radii(double turn_rad, double length, double area);
 std::vector<std::uint8_t> are_creases(std::span<const SharpEdge> edges,
                                       std::span<const std::uint32_t> holding, const FadingCreases& fading);
 
+/// A path through points of two edges that ends where no other edge is.
+struct OpenStrand {
+  std::vector<std::uint32_t> edges;  ///< in order, from that end
+  std::uint32_t end;                 ///< vertex, the lower one if both ends are open
+};
+
+/// Returns the strands that end at none of the `holding` vertices and no other edge, by their first vertices.
+std::vector<OpenStrand> open_strands(std::span<const SharpEdge> edges,
+                                     std::span<const std::uint32_t> holding);
+
 }  // namespace crossgrain

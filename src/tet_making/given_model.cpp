@@ -11,6 +11,8 @@
 #include "crossgrain/features.hpp"
 #include "crossgrain/model_summary.hpp"
 #include "mesh_files/surface/surface_reader.hpp"
+#include "surface/edge_uses.hpp"
+#include "surface/faded_creases.hpp"
 #include "surface/model_faces.hpp"
 #include "surface/solid_split.hpp"
 #include "surface/stitching.hpp"
@@ -84,23 +86,29 @@ GivenModel given_cad(const TriangleMesh& mesh, double crease_angle_deg) {
   return given;
 }
 
-ClosedModel::ClosedModel(TriangleMesh given)
-    : surface_(mend_surface(CheckedMesh::derived(without_cracks(std::move(given), warnings_)))) {
+ClosedModel::ClosedModel(TriangleMesh given, double crease_angle_deg)
+    : surface_(mend_surface(CheckedMesh::derived(without_cracks(std::move(given), warnings_)))),
+      crease_angle_deg_(crease_angle_deg) {
   std::vector<Warning> mended = check_bounds_solid(surface_);
   warnings_.insert(warnings_.end(), mended.begin(), mended.end());
+  const Surface& surface = surface_.surface();
+  if (!surface.mesh.faces.empty()) return;
+  auto faded = faded_crease_warning(surface, sorted_edge_uses(surface.mesh.triangles),
+                                    {.least_deg = crease_angle_deg});
+  if (faded) warnings_.push_back(*std::move(faded));
 }
 
-PatchedSurface ClosedModel::patches(double crease_angle_deg) const {
-  return surface_to_fill(surface_.surface(), {.least_deg = crease_angle_deg});
+PatchedSurface ClosedModel::patches() const {
+  return surface_to_fill(surface_.surface(), {.least_deg = crease_angle_deg_});
 }
 
-GivenModel ClosedModel::given(const PatchedSurface& patches, double crease_angle_deg) const {
+GivenModel ClosedModel::given(const PatchedSurface& patches) const {
   TriangleMesh mesh{patches.vertices, patches.triangles};
   for (const std::uint32_t patch : patches.patch_of) mesh.faces.push_back(patches.tags[patch]);
   const FaceKind kind = surface_.surface().mesh.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged;
   std::vector<ModelFace> faces = listed_faces(mesh.vertices, mesh.triangles, mesh.faces, kind);
   const ModelSize size = size_of(mesh.vertices, mesh.triangles);
-  return {ModelSource::kSurface, std::move(faces), size, std::move(mesh), crease_angle_deg};
+  return {ModelSource::kSurface, std::move(faces), size, std::move(mesh), crease_angle_deg_};
 }
 
 }  // namespace crossgrain

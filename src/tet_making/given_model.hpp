@@ -27,22 +27,23 @@ class ClosedModel {
  public:
   /// Closes the cracks that rounding leaves, and mends it as for a solve. Throws Error(kInput) if it bounds
   /// no solid, naming places.
-  explicit ClosedModel(TriangleMesh given);
+  ClosedModel(TriangleMesh given, double crease_angle_deg);
 
   const SearchableSurface& surface() const { return surface_; }
 
-  /// What reading found, and what was mended.
+  /// What reading found, what was mended, and creases that fade out.
   const std::vector<Warning>& warnings() const { return warnings_; }
 
   /// Its triangles, outward, by the faces that it names or else between creases.
-  PatchedSurface patches(double crease_angle_deg) const;
+  PatchedSurface patches() const;
 
   /// Returns these as what hexahedra are measured against.
-  GivenModel given(const PatchedSurface& patches, double crease_angle_deg) const;
+  GivenModel given(const PatchedSurface& patches) const;
 
  private:
   std::vector<Warning> warnings_;
   SearchableSurface surface_;
+  double crease_angle_deg_;
 };
 
 }  // namespace crossgrain

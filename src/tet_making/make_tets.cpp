@@ -193,17 +193,17 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning&
 
 TetMesh triangle_tets(TriangleMesh given, const TetMakingTuning& options, const Monitor& monitor) {
   const std::string unit = given.unit, file_unit = given.file_unit;
-  const ClosedModel model(std::move(given));
+  const ClosedModel model(std::move(given), options.crease_angle_deg);
   const TetJob job = job_of(size_for(model.surface(), options), options, monitor);
   const Programs programs = programs_of(options);
   monitor.report({Phase::kMakeTets, 0, 0, 0, 0});
   Attempts attempts;
-  const PatchedSurface triangles = model.patches(options.crease_angle_deg);
+  const PatchedSurface triangles = model.patches();
   attempt_surface(triangles, programs, job, attempts);
   TetMesh result = std::move(attempts).result();
   result.unit = unit;
   result.file_unit = file_unit;
-  result.given = std::make_shared<const GivenModel>(model.given(triangles, options.crease_angle_deg));
+  result.given = std::make_shared<const GivenModel>(model.given(triangles));
   add_first(result.warnings, model.warnings());
   return result;
 }

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 from fit_test import blocks, medit
-from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box
+from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box, wavy_rim_triangles
 from tets_test import MAKERS
 
 MESSAGES = Path(__file__).resolve().parents[2] / "apps/crossgrain/messages.cpp"
@@ -68,6 +68,17 @@ class Followed(CommandTest):
         self.follow("kAllowTetTime", "or allow more time with --seconds", [*tets, "--seconds", "0.001"], [*tets, "--edges", "5", "--seconds", "100"])
         self.follow("kGiveTetSize", "try --tet-size 0.1", [*solve, "--tet-size", "9"], [*solve, "--tet-size", "0.1"])
         self.follow("kTakeLargerTets", "take larger tets with --tet-size", [*solve, "--tet-size", "0.004"], [*solve, "--tet-size", "0.5"])
+
+    def test_angles_of_creases(self):
+        self.write("rim.stl", stl_bytes(wavy_rim_triangles()))
+        words = "where its angle falls to 22 degrees; follow such edges with --crease-angle 20"
+        solve = ("solve", "rim.stl", "-o", "out", "--no-report", "--resolution", "16", "--force")
+        self.follow("kUseCreaseAngle", words, solve, [*solve, "--crease-angle", "20"])
+        if MAKERS:
+            tets = ("tets", "rim.stl", "-o", "out.mesh")
+            self.follow("kUseCreaseAngle", words, tets, [*tets, "--crease-angle", "20"])
+            hexahedra = ("hex", "rim.stl", "-o", "lattice", "--no-report", "--lattice", "--cells", "8", "--force")
+            self.follow("kUseCreaseAngle", words, hexahedra, [*hexahedra, "--crease-angle", "20"])
 
     def test_memory_and_cells(self):
         solve = ("solve", "box.stl", "-o", "out", "--no-report")

@@ -178,6 +178,21 @@ def sphere_triangles(rings=12, segments=24):
     return np.array(triangles)
 
 
+def wavy_rim_triangles(around=48):
+    """A cylinder under a slanted dome, outward: the angle at its upper rim falls from 55 degrees to 22."""
+    phi = 2 * np.pi * np.arange(around) / around
+    radii = np.array([0, 10, 20, 20, 19, 18, 16, 14, 12, 10, 8, 6, 4, 2, 0]) / 20
+    points = np.stack([radii[:, None] * np.cos(phi), radii[:, None] * np.sin(phi), np.full((len(radii), around), -0.5)], axis=2)
+    x = points[3:, :, 0]
+    points[3:, :, 2] = (1.64 + 0.97 * x) * (1 - radii[3:, None] ** 2) / 2
+    triangles = []
+    for i in range(len(radii) - 1):
+        for k in range(around):
+            a, b, c, d = points[i, k], points[i, k - 1], points[i + 1, k], points[i + 1, k - 1]
+            triangles += [(a, c, d)] * bool(radii[i + 1]) + [(a, d, b)] * bool(radii[i])
+    return np.array(triangles)
+
+
 def tet_box(cells=(4, 3, 3), size=(2.0, 1.0, 1.5)):
     """Vertices and tets, numbered from 0, all of positive volume: each of the cells is cut into six around a diagonal."""
     def at(x, y, z):

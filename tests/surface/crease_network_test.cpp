@@ -70,5 +70,17 @@ TEST(CreaseNetwork, MeasuresTheSameRadiiHoweverFineTheTrianglesAcrossAre) {
   }
 }
 
+TEST(CreaseNetwork, ListsOpenStrandsFromTheirEnds) {
+  // A triangle, and a path from it that ends in vertex 4; another one between 9 and 7, where edges hold.
+  const auto edges = edges_of({{0, 1}, {1, 2}, {2, 0}, {2, 3}, {3, 4}, {9, 8}, {8, 7}});
+  const std::vector<std::uint32_t> holding{9};
+  const std::vector<OpenStrand> open = open_strands(edges, holding);
+  ASSERT_EQ(open.size(), 2u);
+  EXPECT_EQ(open[0].end, 4u);
+  EXPECT_EQ(open[0].edges, (std::vector<std::uint32_t>{4, 3}));
+  EXPECT_EQ(open[1].end, 7u);
+  EXPECT_EQ(open[1].edges, (std::vector<std::uint32_t>{6, 5}));
+}
+
 }  // namespace
 }  // namespace crossgrain
