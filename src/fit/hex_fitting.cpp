@@ -203,6 +203,9 @@ void HexFitting::move_single_vertices() {
     if (moves.lift(options_.lifted_below) == 0) break;
   }
   moves.snap(options_.floor);
+  constexpr int kIdle = 3;  // sweeps in other directions without a move
+  for (int k = 0, idle = 0; k < options_.raises && idle < kIdle; ++k)
+    idle = moves.raise(options_.raised_below, k) == 0 ? idle + 1 : 0;
 }
 
 HexFittingResult HexFitting::run() {

@@ -120,6 +120,11 @@ Vector3 VertexMoves::held(std::uint32_t vertex, const Vector3& place) const {
   return targets_.nearest(vertex, place, normals_[vertex]).point;
 }
 
+/// How far a vertex would be off its carrier; 0 for those that are held on theirs.
+double VertexMoves::off_carrier(std::uint32_t vertex, const Vector3& place) const {
+  return is_on_[vertex] ? 0 : norm(targets_.nearest(vertex, place, normals_[vertex]).point - place);
+}
+
 bool VertexMoves::relax_vertex(std::uint32_t vertex, const FittingPulls& pulls,
                                const CornerEnergyOptions& options) {
   if (is_on_[vertex] && kind(vertex) == Kind::kCorner) return false;
@@ -207,13 +212,11 @@ bool VertexMoves::lift_vertex(std::uint32_t vertex) {
   if (norm(downhill) == 0) return false;
   const double edge = around.mean_edge(), badness = around.badness(), least = around.least_scaled_jacobian();
   const Vector3 before = mesh_.vertices[vertex];
-  const double off =
-      is_on_[vertex] ? 0 : norm(targets_.nearest(vertex, before, normals_[vertex]).point - before);
-  const double shortest = around.least_edge(), short_edge = kShortEdge * around.mean_size(sizes_);
+  const double off = off_carrier(vertex, before), shortest = around.least_edge(),
+               short_edge = kShortEdge * around.mean_size(sizes_);
   for (double step = kFirstStep * edge; step > kLeastStep * edge; step *= 0.5) {
     const Vector3 place = held(vertex, before + step * downhill);
-    if (!is_on_[vertex] && norm(targets_.nearest(vertex, place, normals_[vertex]).point - place) > off)
-      continue;
+    if (off_carrier(vertex, place) > off) continue;
     around.move_to(place);
     if (!(around.badness() < (1 - kLeastGain) * badness)) continue;
     const double edge_now = around.least_edge();
@@ -226,13 +229,73 @@ bool VertexMoves::lift_vertex(std::uint32_t vertex) {
   return false;
 }
 
-std::size_t VertexMoves::lift(double threshold) {
-  update_normals();
+/// Orthonormal axes that turn with the mesh, other ones in each sweep: at first one is along a gradient.
+std::array<Vector3, 3> VertexMoves::axes_at(std::uint32_t vertex, const Vector3& gradient, int sweep) const {
+  const std::uint32_t use = uses_[vertex][0];
+  const Vector3 along = mesh_.vertices[mesh_.hexahedra[use / 8][(use + 1) % 8]] - mesh_.vertices[vertex];
+  const Vector3 u = norm(gradient) > 0 ? normalised(gradient) : normalised(along);
+  const Vector3 across = cross(u, along);
+  const Vector3 v = norm(across) > 1e-6 * norm(along) ? normalised(across) : orthogonal_unit(u);
+  std::array<Vector3, 3> axes{u, v, cross(u, v)};
+  for (int k = 0; k < sweep; ++k) {
+    const auto [a, b, c] = axes;
+    // A rotation of no finite order.
+    axes = {(1.0 / 7) * (6 * a + 2 * b + 3 * c), (1.0 / 7) * (2 * a + 3 * b - 6 * c),
+            (1.0 / 7) * (6 * b - 3 * a + 2 * c)};
+  }
+  return axes;
+}
+
+/// The downhill way of `lift` sums over all hexahedra around, and ends where it would lower the worst; places
+/// in many directions are found by trial.
+bool VertexMoves::raise_vertex(std::uint32_t vertex, int sweep) {
+  constexpr std::array kSteps{0.3, 0.15, 0.07, 0.03, 0.01};  // of the mean edge
+  constexpr double kLeastGain = 1e-3;
+  constexpr int kDirections = 27;  // to the neighbours in a grid of 3^3, and none
+  if (is_on_[vertex] && kind(vertex) == Kind::kCorner) return false;
+  VertexSurroundings around(mesh_, uses_[vertex]);
+  const Vector3 before = mesh_.vertices[vertex];
+  const double edge = around.mean_edge(), off = off_carrier(vertex, before), shortest = around.least_edge(),
+               short_edge = kShortEdge * around.mean_size(sizes_);
+  double best = around.least_scaled_jacobian() + kLeastGain;
+  Vector3 best_place = before;
+  const auto [u, v, w] = axes_at(vertex, around.badness_gradient(), sweep);
+  for (int code = 0; code < kDirections; ++code) {
+    const Vector3 towards = static_cast<double>(code % 3 - 1) * u +
+                            static_cast<double>(code / 3 % 3 - 1) * v + static_cast<double>(code / 9 - 1) * w;
+    const Vector3 direction = normalised(direction_of(vertex, towards));
+    if (norm(direction) == 0) continue;
+    for (const double step : kSteps) {
+      const Vector3 place = held(vertex, before + step * edge * direction);
+      if (off_carrier(vertex, place) > off) continue;
+      around.move_to(place);
+      const double now = around.least_scaled_jacobian(), edge_now = around.least_edge();
+      if (now <= best || (edge_now < short_edge && edge_now < shortest) || !around.are_valid()) continue;
+      best = now;
+      best_place = place;
+    }
+  }
+  mesh_.vertices[vertex] = best_place;
+  return best_place != before;
+}
+
+/// The vertices of hexahedra with a scaled Jacobian below a threshold.
+std::vector<std::uint8_t> VertexMoves::vertices_of_worst(double threshold) const {
   std::vector<std::uint8_t> wanted(is_on_.size(), 0);
   for (std::size_t h = 0; h < mesh_.hexahedra.size(); ++h)
     if (scaled_jacobian_of(corners_of(mesh_, h)) < threshold)
       for (const std::uint32_t v : mesh_.hexahedra[h]) wanted[v] = 1;
-  return move_all(wanted, [&](std::uint32_t v) { return lift_vertex(v); });
+  return wanted;
+}
+
+std::size_t VertexMoves::raise(double threshold, int sweep) {
+  update_normals();
+  return move_all(vertices_of_worst(threshold), [&](std::uint32_t v) { return raise_vertex(v, sweep); });
+}
+
+std::size_t VertexMoves::lift(double threshold) {
+  update_normals();
+  return move_all(vertices_of_worst(threshold), [&](std::uint32_t v) { return lift_vertex(v); });
 }
 
 }  // namespace crossgrain

@@ -2,6 +2,7 @@
 // Moves of single vertices of valid hexahedra, each accepted only if all hexahedra around stay valid.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -33,6 +34,11 @@ class VertexMoves {
   /// Returns how many moved.
   std::size_t lift(double threshold);
 
+  /// Moves vertices of hexahedra with a scaled Jacobian below `threshold`, each to the place where the least
+  /// one around it is largest, of those near in 26 directions, which differ by `sweep`: so that never falls.
+  /// Returns how many moved.
+  std::size_t raise(double threshold, int sweep);
+
   bool is_on_carrier(std::uint32_t vertex) const { return is_on_[vertex] != 0; }
 
  private:
@@ -47,10 +53,14 @@ class VertexMoves {
   double pull_energy(std::uint32_t vertex, const Vector3& place, const FittingPulls& pulls) const;
   void add_pulls(std::uint32_t vertex, const FittingPulls& pulls, SecondOrder& sum) const;
   Vector3 direction_of(std::uint32_t vertex, const Vector3& gradient) const;
+  std::array<Vector3, 3> axes_at(std::uint32_t vertex, const Vector3& gradient, int sweep) const;
+  double off_carrier(std::uint32_t vertex, const Vector3& place) const;
+  std::vector<std::uint8_t> vertices_of_worst(double threshold) const;
   Vector3 held(std::uint32_t vertex, const Vector3& place) const;
   bool relax_vertex(std::uint32_t vertex, const FittingPulls& pulls, const CornerEnergyOptions& options);
   bool snap_vertex(std::uint32_t vertex, double floor);
   bool lift_vertex(std::uint32_t vertex);
+  bool raise_vertex(std::uint32_t vertex, int sweep);
 
   HexMesh& mesh_;
   const FittingTargets& targets_;

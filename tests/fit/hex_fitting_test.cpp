@@ -13,6 +13,8 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "fit/fitted_shapes.hpp"
+#include "fit/fitting_targets.hpp"
+#include "fit/vertex_moves.hpp"
 #include "measure/hex_quality.hpp"
 #include "measure/hex_validity.hpp"
 
@@ -105,6 +107,30 @@ TEST(HexFitting, IsValidWhereverItIsInterrupted) {
       EXPECT_THROW(fit_onto(shape.mesh, shape.complex, shape.carriers, 1), Error);
     }
     EXPECT_EQ(count_invalid(shape.mesh), 0u) << seed;
+  }
+}
+
+TEST(VertexMoves, RaiseTheWorstHexahedraAndLowerNone) {
+  FittedShape shape = lattice_in_box({5, 4, 3});
+  disturb_validly(shape.mesh, 0.6, 7);
+  const FittingTargets targets(shape.complex, shape.carriers, 1);
+  VertexMoves moves(shape.mesh, targets);
+  moves.snap(0.02);
+  double worst = worst_of(shape.mesh);
+  const double before = worst;
+  for (int sweep = 0; sweep < 10; ++sweep) {
+    moves.raise(0.3, sweep);
+    const double now = worst_of(shape.mesh);
+    EXPECT_GE(now, worst) << sweep;
+    worst = now;
+  }
+  EXPECT_LT(before, 0.1);
+  EXPECT_GT(worst, before + 0.1);
+  EXPECT_EQ(count_invalid(shape.mesh), 0U);
+  for (std::uint32_t v = 0; v < shape.mesh.vertices.size(); ++v) {
+    if (shape.carriers.of_vertex[v].kind == HexCarrier::Kind::kInside || !moves.is_on_carrier(v)) continue;
+    const Vector3& at = shape.mesh.vertices[v];
+    EXPECT_LT(norm(targets.nearest(v, at, targets.normals_of(shape.mesh)[v]).point - at), 1e-9);
   }
 }
 
