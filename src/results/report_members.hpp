@@ -203,7 +203,8 @@ void describe(File& file, Value& warning) {
   file.text("place", warning.place);
   file.member("text", warning.text);
   file.optional_name("remedy", warning.remedy);
-  file.note("advice", words_of(warning.remedy));
+  if (has_number(warning.remedy)) file.member("remedy_number", warning.remedy_number);
+  file.note("advice", words_of(warning.remedy, warning.remedy_number).c_str());
 }
 
 template <class File, class Report>

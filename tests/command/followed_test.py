@@ -47,7 +47,7 @@ class Followed(CommandTest):
         self.seen.add(remedy)
         with self.subTest(remedy, command=failing[0]):
             first = self.run_here(*failing)
-            self.assertIn(words, first.stdout + first.stderr)
+            self.assertEqual((first.stdout + first.stderr).count(words), 1, first.stdout + first.stderr)
             then = self.run_here(*following)
             self.assertEqual(then.returncode, code, then.stderr)
             self.assertNotIn(words, then.stdout + then.stderr)
