@@ -110,14 +110,13 @@ class GapCloser {
   }
 
   void find_runs() {
-    Checkpoint checkpoint;
     for (std::uint32_t start = 0; start < at_.size(); ++start) {
       if (!is_open_end(start)) continue;
       std::uint32_t edge = sharp_edge_at(start), end = start;
       if (run_of_[edge] == kNone) {
         Run run{0, 0, 0, 0, {start, start}};
         while (edge != kNone && run_of_[edge] == kNone) {
-          checkpoint.pass();
+          checkpoint_.pass();
           run_of_[edge] = static_cast<std::uint32_t>(runs_.size());
           run.sharp += length_of(edge);
           run.radii += edges_[edge].radii;
@@ -174,6 +173,7 @@ class GapCloser {
     std::uint32_t before = other_end(first, end);
     passed_[end] = ++walks_;
     for (;;) {
+      checkpoint_.pass();
       const std::uint32_t edge = next_edge(before, gap.end);
       if (edge == kNone) return std::nullopt;
       gap.edges.push_back(edge);
@@ -230,6 +230,7 @@ class GapCloser {
   std::vector<std::uint32_t> begin_, spokes_, sharp_at_;  ///< edges at each vertex
   std::vector<std::uint32_t> passed_;                     ///< the last walk through each vertex
   std::uint32_t walks_ = 0;
+  Checkpoint checkpoint_;
   std::vector<std::uint32_t> run_of_, parent_;
   std::vector<Run> runs_;
 

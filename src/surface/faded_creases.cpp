@@ -25,6 +25,14 @@ constexpr double kShortestFaded = 0.05;
 /// Steps and end of the angles that are tried.
 constexpr double kTriedStepDeg = 5, kLeastTriedDeg = 10;
 
+/// Of a surface with more paths that fade out, long and short, nothing is told: it is rough. Coarse parts
+/// have up to 51.
+constexpr std::size_t kMostOpen = 1000;
+
+/// No angle is tried that makes more edges sharp, in numbers of sharp edges: they are those of rough or
+/// coarse surfaces, on which trials are long and follow no crease alone.
+constexpr std::size_t kMostSharp = 4;
+
 using VertexEdge = std::array<std::uint32_t, 2>;
 
 struct FadedCrease {
@@ -46,7 +54,9 @@ std::vector<FadedCrease> faded_creases(const Surface& surface, AngledEdges found
   const std::vector<SharpEdge> edges = with_closed_gaps(std::move(found.edges), at, found.holding, angles);
   const double shortest = kShortestFaded * longest_side(surface.box);
   std::vector<FadedCrease> faded;
-  for (const OpenStrand& strand : open_strands(edges, found.holding)) {
+  const std::vector<OpenStrand> open = open_strands(edges, found.holding);
+  if (open.size() > kMostOpen) return {};
+  for (const OpenStrand& strand : open) {
     FadedCrease crease{{}, strand.end};
     double length = 0, radii = 0, turn_rad = 0;
     for (const std::uint32_t e : strand.edges) {
@@ -141,9 +151,15 @@ std::optional<Warning> faded_crease_warning(const Surface& surface, std::span<co
   CreaseAngles smaller = angles;
   smaller.least_deg = kLeastTriedDeg;
   const AngledEdges all = angled_edges(surface, all_uses, least_turn_in_gaps(smaller));
+  const auto sharper_than = [&](double deg) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        all.edges, [&](const SharpEdge& edge) { return edge.turn_rad > deg * kDegree; }));
+  };
+  const std::size_t most = kMostSharp * sharper_than(angles.least_deg);
   Followed best;
   for (double deg = kTriedStepDeg * (std::ceil(angles.least_deg / kTriedStepDeg) - 1); deg >= kLeastTriedDeg;
        deg -= kTriedStepDeg) {
+    if (sharper_than(deg) > most) break;
     smaller.least_deg = deg;
     const Followed tried =
         Trial(all, surface.mesh.vertices, smaller).followed(faded, angles.least_deg * kDegree);
