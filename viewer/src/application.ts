@@ -3,11 +3,12 @@
 
 import type { Theme } from "./math/color_maps.ts";
 import { subtract, type Vector } from "./math/frame.ts";
+import { share_below } from "./scene/hexahedra.ts";
 import { faces_of_model, facing_of, point_of, triangles_of_face, type ModelFace } from "./scene/faces.ts";
 import { faults_of, is_drawn_anyway, of_starting_grid } from "./scene/faults.ts";
 import { has_field, is_of_lattice, type Report } from "./scene/report.ts";
 import { cell_box, element_center, type Scene } from "./scene/scene.ts";
-import { cut_normal, SettingsStore, type CutAxis, type FieldName, type Settings, type UpAxis } from "./settings.ts";
+import { cut_normal, cut_offset, SettingsStore, type CutAxis, type FieldName, type Settings, type UpAxis } from "./settings.ts";
 import type { FaultMark } from "./view/line_marks.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
@@ -39,6 +40,9 @@ import type { Tabs } from "./ui/tabs.ts";
 const kOver = ["panel-view", "toolbar", "shown", "legend"];
 // Height in pixels of the button that opens the legend on a phone, with what is around it.
 const kLegendButton = 56;
+// A cut that leaves less than this share of the hexahedra is not there at first; how far a plane through a layer takes it, as a share of the part.
+const kLeastShown = 0.25;
+const kIntoLayer = 1e-5;
 
 const is_narrow = (): boolean => matchMedia("(max-width: 799px)").matches;
 
@@ -69,6 +73,7 @@ export class Application implements Commands {
     const axis = scene.first_cut ?? widest_cut(scene);
     // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
     this.store.change({ cut: { axis, flip: axis === "y" } });
+    this.store.change({ cut: { on: !this.cut_takes_most() } });
     this.follow = make_controls(by_id("panel-view"), this.store, scene, this.follows_field, { cut: (on) => this.cut(on), cut_across: (axis) => this.cut_across(axis), turn_up: (up) => this.turn_up(up) });
     this.faces = faces_of_model(report, scene);
     this.places = apart([...mesh_places(report, scene, scene.origin), ...(is_of_lattice(report) ? [] : places_of_answer(report, scene.origin)), ...input_groups(report, scene.origin).flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))]);
@@ -146,6 +151,15 @@ export class Application implements Commands {
   turn_up(up: UpAxis): void {
     this.store.change({ up });
     this.stage.face_cut(true);
+  }
+
+  /** Whether the cut leaves few hexahedra, or none of the only layer of a plate. */
+  private cut_takes_most(): boolean {
+    const { hexahedra, low, high } = this.scene;
+    if (!hexahedra) return false;
+    const thickness = Math.hypot(...high.map((value, k) => value - low[k]));
+    const plane = { normal: cut_normal(this.store.current), offset: cut_offset(this.store.current, low, high) - kIntoLayer * thickness };
+    return share_below(hexahedra, plane) < kLeastShown;
   }
 
   /** Turns the cut on or off, and the view towards it. */

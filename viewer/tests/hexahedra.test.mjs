@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { face_color } from "../src/math/color_maps.ts";
-import { edge_lengths, faces_of_hexahedra, hex_colors, hexahedron_center, hexahedron_centered_at, hexahedron_of, hexahedron_radius, HexSkins, number_of, side_along } from "../src/scene/hexahedra.ts";
+import { edge_lengths, faces_of_hexahedra, hex_colors, hexahedron_center, hexahedron_centered_at, hexahedron_of, hexahedron_radius, HexSkins, number_of, share_below, side_along } from "../src/scene/hexahedra.ts";
 import { decode_scene } from "../src/scene/scene.ts";
 import { box_of_hexahedra, center_of, hex_mesh, kRegions, region_at } from "./hex_scene.mjs";
 import { scene_named } from "./scenes.mjs";
@@ -35,6 +35,13 @@ function counted_faces(hexahedra, is_shown) {
 
 const faces_of = ({ side, corners }) =>
   Array.from(side, (number, face) => `${[...corners.subarray(4 * face, 4 * face + 4)].sort((a, b) => a - b).join()}: ${hexahedron_of(number)}`).sort();
+
+test("a plane leaves the share of hexahedra whose centres are below it", () => {
+  const plate = hexahedra_of(box_of_hexahedra([0, 0, 0], [4, 3, 1], [4, 3, 1]));
+  assert.equal(share_below(plate, { normal: [0, 0, 1], offset: 0.5 - 1e-5 }), 0);
+  assert.equal(share_below(plate, { normal: [1, 0, 0], offset: 2 - 1e-5 }), 0.5);
+  assert.equal(share_below(plate, { normal: [-1, 0, 0], offset: -1 }), 0.75);
+});
 
 test("a page without hexahedra has none, and one with them has all", () => {
   assert.equal(decode_scene(scene_named("tets").scene).hexahedra, null);

@@ -57,6 +57,14 @@ export interface HexSkin {
 /** The hexahedron that has a side. */
 export const hexahedron_of = (side: number): number => Math.floor(side / 6);
 
+/** The share of hexahedra whose centres are below a plane. */
+export function share_below(hexahedra: Hexahedra, { normal, offset }: { normal: Vector; offset: number }): number {
+  const centers = centers_of(hexahedra);
+  let count = 0;
+  for (let k = 0; k < centers.length; k += 3) if (normal[0] * centers[k] + normal[1] * centers[k + 1] + normal[2] * centers[k + 2] < offset) ++count;
+  return (3 * count) / centers.length;
+}
+
 /** Finds skins: what is behind each face is found once. */
 export class HexSkins {
   readonly centers: Float32Array;
