@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -18,6 +19,14 @@ namespace {
 FittingModel model_of(const TetDomain& domain) {
   if (const GivenModel* const given = domain.mesh().given.get()) return fitting_model(*given);
   return {domain.data().solid, features_of_model(domain)};
+}
+
+/// Whether two regions of tets share a face.
+bool has_faces_between_regions(const TetSolid& solid) {
+  const std::vector<std::int32_t>& regions = solid.mesh.regions;
+  return !regions.empty() && std::ranges::any_of(solid.inner_faces, [&](const TetSolid::InnerFace& face) {
+    return face.tets[1] != kNoTet && regions[face.tets[0]] != regions[face.tets[1]];
+  });
 }
 
 class LatticeAttempt : public AttemptKind {
@@ -58,7 +67,11 @@ class LatticeAttempt : public AttemptKind {
     candidate.attempt.work = kFittingWork * static_cast<double>(trial.attempt.hexahedra);
     candidate.asked_size = asked_size_;
     candidate.text = std::move(trial.text);
-    if (trial.better) add_mesh(*std::move(trial.better), candidate);
+    if (trial.better) {
+      add_mesh(*std::move(trial.better), candidate);
+      // Faces between solids are steps in it.
+      candidate.made->is_faithful &= !has_faces_between_regions(queue.start()->field.domain().data().solid);
+    }
     return candidates;
   }
 

@@ -47,7 +47,10 @@ std::string text_of(const HexReport& report) {
   const std::string all = counted(report.hexahedra, "hexahedron", "hexahedra");
   if (report.outcome == HexOutcome::kPartial) return all + ": " + report.reason;
   const std::string fills = all + (report.hexahedra == 1 ? " fills the model" : " fill the model");
-  return report.reason.empty() ? fills : fills + ", but: " + report.reason.substr(0, report.reason.find(';'));
+  if (!report.reason.empty()) return fills + ", but: " + report.reason.substr(0, report.reason.find(';'));
+  return is_good(report)
+             ? fills
+             : fills + fmt::format(", but: poor shapes (worst scaled Jacobian {:.2g})", report.quality.least);
 }
 
 /// About how many hexahedra a lattice becomes. Layers cover slanted and curved faces, and some of those

@@ -22,7 +22,8 @@ class LatticeTrials {
   LatticeHexahedra run() {
     try {
       bool has_next = search_.prepare();
-      if (has_next && listeners_.on_expected) listeners_.on_expected(search_.size(), search_.expected());
+      if (has_next) expected_ = search_.expected();
+      if (has_next && listeners_.on_expected) listeners_.on_expected(search_.size(), expected_);
       while (has_next) {
         LatticeSearch::Trial trial = search_.make();
         attempts_.push_back(trial.attempt);
@@ -37,6 +38,7 @@ class LatticeTrials {
                   Remedy::kTakeSmallerHexahedra);
     best_->report.attempts = std::move(attempts_);
     best_->report.best_attempt = best_attempt_;
+    best_->report.expected = expected_;
     choose_remedy_of_lattices(best_->report);
     return *std::move(best_);
   }
@@ -82,6 +84,7 @@ class LatticeTrials {
   std::vector<HexAttempt> attempts_;
   std::optional<LatticeHexahedra> best_;
   std::size_t best_attempt_ = 0;
+  double expected_ = 0;  ///< as it was told
 };
 
 }  // namespace

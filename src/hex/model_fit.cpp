@@ -247,7 +247,8 @@ void count_quads(const HexMesh& mesh, std::vector<ModelFace>& faces) {
 }
 
 std::optional<Warning> faces_off(const std::vector<ModelFace>& faces, const HexReport& report) {
-  if (is_partial(report.outcome)) return std::nullopt;
+  // The area of a face may have the part that it shares with another solid.
+  if (is_partial(report.outcome) || report.interface_faces > 0) return std::nullopt;
   std::vector<std::pair<double, const ModelFace*>> off;
   for (const ModelFace& face : faces) {
     if (face.quads.value_or(0) == 0 || face.area < report.mean_edge * report.mean_edge) continue;

@@ -31,7 +31,14 @@ constexpr double kAsExpected = 2;
 
 /// Why smaller hexahedra than asked for were taken.
 const char* fault_of_larger(const HexReport& report, double expected) {
-  if (report.is_of_lattice()) return "larger ones of a lattice do not keep the model";
+  if (report.is_of_lattice()) {
+    const bool is_kept = std::ranges::any_of(report.attempts, [&](const HexAttempt& attempt) {
+      return attempt.is_of_lattice() && attempt.outcome == HexOutcome::kAllHex &&
+             attempt.size > report.used_size;
+    });
+    return is_kept ? "larger ones of a lattice are badly shaped"
+                   : "larger ones of a lattice do not keep the model";
+  }
   const char* fault = "larger ones would be turned inside out";
   for (const HexAttempt& attempt : report.attempts) {
     if (attempt.outcome != HexOutcome::kAllHex || attempt.size <= report.used_size) continue;
@@ -83,7 +90,8 @@ std::string remedy_of(const HexReport& report, const std::string& remedy_words) 
   const bool is_wanting = report.outcome != HexOutcome::kAllHex || !report.reason.empty();
   if (!is_wanting || !remedy_words.empty() || report.attempts.empty())
     return with_count(report, remedy_words);
-  return report.is_of_lattice() ? "" : "smaller hexahedra may help";
+  const bool has_steps = report.reason.find("steps of hexahedra") != std::string::npos;  // of any size
+  return report.is_of_lattice() || has_steps ? "" : "smaller hexahedra may help";
 }
 
 /// Says so of shapes that are too poor to compute on, where none is inverted.

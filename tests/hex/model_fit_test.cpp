@@ -191,6 +191,9 @@ TEST(FacesOff, AreThoseWhoseQuadsCoverAnotherArea) {
   report.mean_edge = 4;
   EXPECT_FALSE(faces_off(faces, report)) << "faces that are smaller than a quad";
   report.mean_edge = 1;
+  report.interface_faces = 4;
+  EXPECT_FALSE(faces_off(faces, report)) << "areas may have the part that is shared with another solid";
+  report.interface_faces = 0;
   report.outcome = HexOutcome::kPartial;
   EXPECT_FALSE(faces_off(faces, report));
 }

@@ -77,6 +77,32 @@ TEST(SentenceOfHexahedra, TellsOfALatticeThatItIsOneAndWhyThereIsNoMap) {
             "attempt 1 of 1: lattice; no map, since hexahedra would be turned inside out at 1 2 3");
 }
 
+TEST(SentenceOfHexahedra, TellsWhetherLargerHexahedraOfALatticeLackSomethingOrAreBadlyShaped) {
+  HexReport report = whole();
+  report.used_size = report.mean_edge = 1.4;
+  report.hexahedra = 3000;
+  report.attempts.resize(2);
+  for (HexAttempt& attempt : report.attempts) attempt.kind = "lattice";
+  report.attempts[0].size = 2;
+  report.attempts[0].outcome = HexOutcome::kApproximate;
+  report.attempts[1].size = 1.4;
+  report.attempts[1].outcome = HexOutcome::kAllHex;
+  report.best_attempt = 1;
+  EXPECT_NE(sentence_of(report).find(": larger ones of a lattice do not keep the model"), std::string::npos);
+  report.attempts[0].outcome = HexOutcome::kAllHex;
+  EXPECT_NE(sentence_of(report).find(": larger ones of a lattice are badly shaped"), std::string::npos);
+}
+
+TEST(SentenceOfHexahedra, AdvisesNoSmallerHexahedraWhereFacesBetweenSolidsAreSteps) {
+  HexReport report = whole();
+  report.outcome = HexOutcome::kApproximate;
+  report.attempts.resize(1);
+  report.reason = "it lacks something";
+  EXPECT_NE(sentence_of(report).find("smaller hexahedra may help"), std::string::npos);
+  report.reason = "the faces between its solids are steps of hexahedra, up to 1 off, 0.5 of their size";
+  EXPECT_EQ(sentence_of(report).find("smaller"), std::string::npos) << "steps are as large as hexahedra";
+}
+
 TEST(SentenceOfHexahedra, TellsOtherNumbersThanExpectedAndWhy) {
   HexReport report = whole();
   report.hexahedra = 125;
