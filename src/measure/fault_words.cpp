@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "crossgrain/message.hpp"
 
@@ -84,9 +85,14 @@ std::string fault_of(const Singularity::Corner& corner, const FaceNoun& noun) {
     return fmt::format("no hexahedra fit at a point of the surface{} where {} {}", where,
                        counted(corner.arcs.size(), "singular line"),
                        corner.arcs.size() == 1 ? "ends" : "end");
-  return corner.creases.size() == 1
-             ? fmt::format("no hexahedra fit at the end of a sharp edge{}", where)
-             : fmt::format("no hexahedra fit in a corner{} where {} meet", where, edges_at(corner));
+  if (corner.creases.size() > 1)
+    return fmt::format("no hexahedra fit in a corner{} where {} meet", where, edges_at(corner));
+  // Inside one face of a CAD model there is no sharp edge but between tets that are coarse beside its
+  // curvature.
+  const bool is_inside =
+      std::string_view(noun.one) == kFaceNoun.one && !faces.empty() && !faces.starts_with(noun.several);
+  return is_inside ? fmt::format("no hexahedra fit at a point of the surface{}", where)
+                   : fmt::format("no hexahedra fit at the end of a sharp edge{}", where);
 }
 
 std::string fault_of(const Singularity::Arc& arc) {

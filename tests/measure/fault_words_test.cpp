@@ -64,7 +64,11 @@ TEST(FaultOfACorner, OfOneEdgeIsItsEnd) {
   corner.creases = {3};
   corner.faces = {12};
   corner.narrowest_deg = 270;
-  EXPECT_EQ(fault_of(corner, kFaceNoun), "no hexahedra fit at the end of a sharp edge of face 12");
+  EXPECT_EQ(fault_of(corner, kFaceNoun), "no hexahedra fit at a point of the surface of face 12")
+      << "the edge is one of coarse tets, none of the model";
+  EXPECT_EQ(fault_of(corner, kPatchNoun), "no hexahedra fit at the end of a sharp edge of patch 12");
+  corner.faces = {12, 14};
+  EXPECT_EQ(fault_of(corner, kFaceNoun), "no hexahedra fit at the end of a sharp edge of faces 12 and 14");
 }
 
 TEST(PlacesOfFaults, AreListedOnceEach) {
