@@ -203,9 +203,14 @@ void HexFitting::move_single_vertices() {
     if (moves.lift(options_.lifted_below) == 0) break;
   }
   moves.snap(options_.floor);
-  constexpr int kIdle = 3;  // sweeps in other directions without a move
-  for (int k = 0, idle = 0; k < options_.raises && idle < kIdle; ++k)
-    idle = moves.raise(options_.raised_below, k) == 0 ? idle + 1 : 0;
+  constexpr int kIdle = 4;  // sweeps, each in other directions, in which the worst stays as it is
+  double worst = -1;
+  for (int k = 0, idle = 0; k < options_.raises && idle < kIdle; ++k) {
+    moves.raise(options_.raised_below, k);
+    const double now = std::ranges::min(scaled_jacobians(mesh_));
+    idle = now > worst ? 0 : idle + 1;
+    worst = now;
+  }
 }
 
 HexFittingResult HexFitting::run() {

@@ -25,7 +25,7 @@ struct HexFittingOptions {
   /// Hexahedra below this scaled Jacobian are lifted.
   double lifted_below = 0.4;
 
-  int raises = 30;  ///< sweeps over the vertices of the worst hexahedra once all are where they stay
+  int raises = 30;  ///< sweeps over the vertices of the worst hexahedra once all are where they stay, at most
 
   /// Hexahedra below this scaled Jacobian are raised: kGoodShape. With 0.3 and 0.4 the worst of nine models
   /// with poor ones are as good within 0.005.
