@@ -21,12 +21,15 @@ FittingModel model_of(const TetDomain& domain) {
   return {domain.data().solid, features_of_model(domain)};
 }
 
-/// Whether two regions of tets share a face.
-bool has_faces_between_regions(const TetSolid& solid) {
+/// Whether solids share a face that is to be kept.
+bool has_faces_between_solids(const TetFrameField& field) {
+  const TetSolid& solid = field.domain().data().solid;
   const std::vector<std::int32_t>& regions = solid.mesh.regions;
-  return !regions.empty() && std::ranges::any_of(solid.inner_faces, [&](const TetSolid::InnerFace& face) {
-    return face.tets[1] != kNoTet && regions[face.tets[0]] != regions[face.tets[1]];
-  });
+  const bool is_united = field.report().onto && field.report().onto->united;
+  return !is_united && !regions.empty() &&
+         std::ranges::any_of(solid.inner_faces, [&](const TetSolid::InnerFace& face) {
+           return face.tets[1] != kNoTet && regions[face.tets[0]] != regions[face.tets[1]];
+         });
 }
 
 class LatticeAttempt : public AttemptKind {
@@ -70,7 +73,7 @@ class LatticeAttempt : public AttemptKind {
     if (trial.better) {
       add_mesh(*std::move(trial.better), candidate);
       // Faces between solids are steps in it.
-      candidate.made->is_faithful &= !has_faces_between_regions(queue.start()->field.domain().data().solid);
+      candidate.made->is_faithful &= !has_faces_between_solids(queue.start()->field);
     }
     return candidates;
   }

@@ -22,7 +22,7 @@ struct FadingCreases {
 /// The sweep in docs/notes/solver.md chose the values.
 struct CreaseGaps {
   /// Edges of a gap have more than this share of the smallest angle of a crease; 1 closes no gap.
-  double share = 0.7;
+  double share = 0.9;
 
   /// The gaps of a curve are together at most this long, in lengths of its sharp edges.
   double longest = 1;

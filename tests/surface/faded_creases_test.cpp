@@ -32,7 +32,7 @@ TEST(FadedCreases, AreToldWithTheAngleThatFollowsThem) {
 }
 
 TEST(FadedCreases, AreNotToldWhereTheyAreFollowed) {
-  EXPECT_FALSE(warning_of(make_wavy_rim(42, 14)));
+  EXPECT_FALSE(warning_of(make_wavy_rim(41, 9)));
   EXPECT_FALSE(warning_of(make_box({1, 0.7, 0.4})));
 }
 
