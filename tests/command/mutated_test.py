@@ -27,7 +27,7 @@ DONE, INPUT, OUTPUT, LIMIT, PARTIAL, APPROXIMATE, INTERRUPTED = 0, 3, 4, 5, 6, 7
 # A damaged model may be fine and large: it is interrupted then, and ends.
 TIME_S, TIME_TO_END_S = 20, 30
 FEW = ("--no-report", "--quiet", "--max-memory", "4GB")
-COMMANDS_OF_MODELS = {"hex": ("--cells", 3, *FEW), "tets": ("--edges", 3), "solve": ("--resolution", 6, *FEW)}
+COMMANDS_OF_MODELS = [("hex", "--cells", 3, *FEW), ("hex", "--lattice", "--cells", 3, *FEW), ("tets", "--edges", 3), ("solve", "--resolution", 6, *FEW)]
 TET_FILES = {".mesh", ".vtk", ".msh"}
 BAD_FILES = [path for path in sorted(BAD.glob("*.*")) if path.name != "MANIFEST.tsv"]
 COMMANDS_OF_RESULTS = [("check", "out"), ("sample", "out", "1", "0.5", "0.5"), ("streamlines", "out", "--on", "surface", "-o", "lines.vtu"),
@@ -63,12 +63,12 @@ class Mutated(CommandTest):
 
 class Models(Mutated):
     def assert_end_of_each_command(self, path, repairs):
-        for command, options in COMMANDS_OF_MODELS.items():
-            with self.subTest(command=command):
+        for command, *options in COMMANDS_OF_MODELS:
+            with self.subTest(command=command, options=options):
                 repair = ("--prepare", "--repair") if command == "solve" and repairs else ()
                 output = "out.mesh" if command == "tets" else "out"
                 self.assert_ends((DONE, INPUT, LIMIT, PARTIAL, APPROXIMATE, INTERRUPTED), command, path, *repair, *options, "-o", output)
-        shutil.rmtree(self.folder / "out", ignore_errors=True)
+                shutil.rmtree(self.folder / "out", ignore_errors=True)
         (self.folder / "out.mesh").unlink(missing_ok=True)
 
     def seeds(self):
