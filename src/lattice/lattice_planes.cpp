@@ -2,7 +2,9 @@
 #include "lattice/lattice_planes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/vector3.hpp"
 
@@ -12,7 +14,8 @@ namespace {
 /// Faces are normal to an axis within 6 degrees, and in one plane within this share of a size.
 constexpr double kNormalCosine = 0.995, kSamePlane = 0.03;
 
-/// The border of the surface gets a plane unless a face is this near to it, in sizes.
+/// The border of the surface gets a plane unless a face is this near to it, in sizes; that of a thin surface
+/// on both sides, so that there is a cell between them.
 constexpr double kBorderGap = 0.3;
 
 /// Wider holes are seen by planes that are a size apart.
@@ -22,24 +25,16 @@ constexpr double kWidestHole = 2;
 constexpr double kShortestLine = 2;
 
 /// Both sides of a wall or a gap get planes if they have this area, in squared sizes, and are this far apart.
-constexpr double kWallArea = 4, kThinnestWall = 0.04;
+constexpr double kWallArea = 4, kThinnestWall = 1e-4;
 
 struct FlatArea {
   double coordinate, area;
   double towards;  ///< area that looks along the axis, less that which looks back
 };
 
-/// The faces normal to an axis: each plane's mean coordinate and area, the largest first.
-std::vector<FlatArea> flat_areas(const Surface& surface, std::size_t axis, double size) {
-  std::vector<FlatArea> triangles;
-  for (std::size_t t = 0; t < surface.size(); ++t) {
-    if (std::abs(surface.normals[t][axis]) < kNormalCosine) continue;
-    const auto [a, b, c] = surface.corners(t);
-    triangles.push_back({(a[axis] + b[axis] + c[axis]) / 3, surface.areas[t],
-                         std::copysign(surface.areas[t], surface.normals[t][axis])});
-  }
+/// The faces normal to an axis: each plane's mean coordinate and area. Adds those of some triangles.
+void add_planes(std::vector<FlatArea> triangles, double size, std::vector<FlatArea>& planes) {
   std::ranges::sort(triangles, {}, &FlatArea::coordinate);
-  std::vector<FlatArea> planes;
   for (std::size_t begin = 0, end = 0; begin < triangles.size(); begin = end) {
     double area = 0, moment = 0, towards = 0;
     for (; end < triangles.size() &&
@@ -51,6 +46,22 @@ std::vector<FlatArea> flat_areas(const Surface& surface, std::size_t axis, doubl
     }
     planes.push_back({moment / area, area, towards});
   }
+}
+
+/// The largest first. Faces that look along the axis are in other planes than those that look back, however
+/// near: they may be the sides of a wall.
+std::vector<FlatArea> flat_areas(const Surface& surface, std::size_t axis, double size) {
+  std::array<std::vector<FlatArea>, 2> triangles;
+  for (std::size_t t = 0; t < surface.size(); ++t) {
+    if (std::abs(surface.normals[t][axis]) < kNormalCosine) continue;
+    const auto [a, b, c] = surface.corners(t);
+    const bool looks_back = surface.normals[t][axis] < 0;
+    triangles[looks_back ? 1 : 0].push_back(
+        {(a[axis] + b[axis] + c[axis]) / 3, surface.areas[t],
+         looks_back ? -surface.areas[t] : surface.areas[t]});
+  }
+  std::vector<FlatArea> planes;
+  for (std::vector<FlatArea>& of_direction : triangles) add_planes(std::move(of_direction), size, planes);
   std::ranges::stable_sort(planes, [](const FlatArea& a, const FlatArea& b) { return a.area > b.area; });
   return planes;
 }
@@ -157,8 +168,9 @@ LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPl
       const double here = distance.at(flat.coordinate);
       if (flat.area >= kPlaneArea * here * here) add_apart(flat, kLeastGap * here, is_wall, kept);
     }
-    for (const double end : {surface.box.low[axis], surface.box.high[axis]})
-      add_apart({end, 0, 0}, kBorderGap * size, is_never_near, kept);
+    const double low = surface.box.low[axis], high = surface.box.high[axis];
+    for (const double end : {low, high})
+      add_apart({end, 0, 0}, std::min(kBorderGap * size, 0.5 * (high - low)), is_never_near, kept);
     for (const Box& line : narrow.lines) {
       const double middle = 0.5 * (line.low[axis] + line.high[axis]), here = distance.at(middle);
       if (line.high[axis] - line.low[axis] < kSamePlane * here && longest_side(line) >= kShortestLine * here)

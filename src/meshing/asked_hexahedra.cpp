@@ -10,6 +10,7 @@
 #include "hex/hex_forecast.hpp"
 #include "hex/hex_memory.hpp"
 #include "meshing/hexahedra_of_models.hpp"
+#include "solve/solve_checks.hpp"
 
 namespace crossgrain {
 namespace {
@@ -34,6 +35,7 @@ void check_count(double expected, double size, const PartSize& part) {
 
 void AskedHexahedra::check(const SearchableSurface& surface) {
   if (std::exchange(is_checked_, true)) return;
+  check_scale(surface.surface().box);
   const PartSize part = part_size(surface.surface());
   const HexOptions& asked = options_.hexahedra;
   const double size = asked.size > 0 ? asked.size : part.longest / asked.cells;

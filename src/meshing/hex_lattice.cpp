@@ -113,10 +113,14 @@ FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& optio
 
 FittedHexahedra lattice_hexahedra(const std::filesystem::path& model, const HexMeshingOptions& options,
                                   const Monitor& monitor) {
-  FittedHexahedra made =
-      made_by_lattice([&] { return read_model(model, reading_of(options), monitor); }, options, monitor);
-  made.report.model.path = model.string();
-  return made;
+  try {
+    FittedHexahedra made =
+        made_by_lattice([&] { return read_model(model, reading_of(options), monitor); }, options, monitor);
+    made.report.model.path = model.string();
+    return made;
+  } catch (const Error& error) {
+    throw named(error, model);
+  }
 }
 
 FittedHexahedra lattice_hexahedra(const TriangleMesh& surface, const HexMeshingOptions& options,

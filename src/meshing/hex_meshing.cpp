@@ -13,6 +13,7 @@
 #include "hex/hex_making.hpp"
 #include "meshing/asked_hexahedra.hpp"
 #include "meshing/made_tets.hpp"
+#include "meshing/read_model.hpp"
 
 namespace crossgrain {
 namespace {
@@ -56,14 +57,6 @@ Hexahedra in_tets(const Make& make, const HexMeshingOptions& options, const Moni
     return seconds;
   };
   return made_by_attempts(begin, options, HexTuning(), monitor);
-}
-
-/// Returns what an error about a model in a file is.
-Error named(const Error& error, const std::filesystem::path& model) {
-  // Usage: of sizes that do not suit the model.
-  const bool is_of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit ||
-                           error.kind() == ErrorKind::kUsage;
-  return is_of_model && error.file().empty() ? error.with_file(model.string()) : error;
 }
 
 }  // namespace

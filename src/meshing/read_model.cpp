@@ -104,9 +104,15 @@ ReadModel read_model(const std::filesystem::path& path, const HexFitOptions& opt
   try {
     return read_file(path, options, monitor);
   } catch (const Error& error) {
-    const bool is_of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit;
-    throw is_of_model && error.file().empty() ? error.with_file(path.string()) : error;
+    throw named(error, path);
   }
+}
+
+Error named(const Error& error, const std::filesystem::path& model) {
+  // Usage: of sizes that do not suit the model.
+  const bool is_of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit ||
+                           error.kind() == ErrorKind::kUsage;
+  return is_of_model && error.file().empty() ? error.with_file(model.string()) : error;
 }
 
 }  // namespace crossgrain

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/hex_fit.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/report.hpp"
@@ -29,5 +30,8 @@ ReadModel read_model(const std::filesystem::path& path, const HexFitOptions& opt
 
 /// The same of a closed surface.
 ReadModel model_of(TriangleMesh surface, const HexFitOptions& options);
+
+/// Returns an error with the name of the model's file, if it is about the model or what is asked of it.
+Error named(const Error& error, const std::filesystem::path& model);
 
 }  // namespace crossgrain

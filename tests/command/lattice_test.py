@@ -173,6 +173,19 @@ class Lattice(CommandTest):
         self.assertIn(", the search was stopped", made["sentence"])
         self.assertGreater(made["hexahedra"], 0)
 
+    def test_has_one_hexahedron_across_sheets_needles_and_gaps_however_thin(self):
+        gap = 0.0003
+        two = [box_triangles(), np.array(box_triangles()) * (0.5, 1, 1) + (2 + gap, 0, 0)]
+        parts = {"sheet.stl": (np.array(box_triangles()) * (1, 1, 0.001), 32), "needle.stl": (np.array(box_triangles()) * (1, 0.001, 0.002), 8)}
+        for name, (triangles, number) in parts.items():
+            with self.subTest(name):
+                self.write(name, stl_bytes(triangles))
+                self.assertEqual(self.made("--lattice", "--cells", "8", model=name)[1]["hexahedra"], number)
+        self.write("gap.stl", stl_bytes(np.concatenate(two)))
+        report = self.made("--lattice", "--cells", "8", model="gap.stl")[1]
+        self.assertEqual(report["bodies"], 2)
+        self.assert_all_hex(report["size"], "gap.stl")
+
     def test_takes_no_options_of_maps(self):
         self.write("part.stl", stl_bytes(box_triangles()))
         for options in (["--map-only"], ["--prefer", "map"]):
@@ -182,7 +195,15 @@ class Lattice(CommandTest):
         self.write("part.stl", stl_bytes(box_triangles()))
         for size in ("1e9", "1e-9"):
             self.assert_fails(self.run_here("hex", "part.stl", "--lattice", "--size", size, "-o", "out"), USAGE, "too")
-        self.assertFalse((self.folder / "out").exists())
+
+    def test_refuses_models_of_no_size_before_any_work_as_maps_do(self):
+        for scale in (1e-12, 1e15):
+            self.write("part.stl", stl_bytes(np.array(box_triangles()) * scale))
+            for way in ([], ["--lattice"]):
+                result = self.run_here("hex", "part.stl", *way, "-o", "out")
+                self.assert_fails(result, INPUT, "part.stl: the model is")
+                self.assertNotIn("attempt", result.stdout + result.stderr)
+                self.assertFalse((self.folder / "out").exists())
 
 
 if __name__ == "__main__":

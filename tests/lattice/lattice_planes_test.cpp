@@ -46,15 +46,29 @@ TEST(LatticePlanes, OfFacesThatAreTooNearAreThoseOfTheLargest) {
 }
 
 TEST(LatticePlanes, LieOnBothSidesOfThinWallsAndOfHolesIfAskedTo) {
+  for (const double gap : {0.2, 0.01, 0.001}) {
+    const Surface boxes =
+        surface_of(join_meshes(make_box({10, 10, 4}), translate_mesh(make_box({10, 10, 4}), {0, 0, 4 + gap})));
+    EXPECT_EQ(lattice_planes(boxes, 1).cells(2), 2 + 8) << "one plane for both sides of a gap of " << gap;
+    const LatticePlanes planes = lattice_planes(boxes, 1, {.walls = true});
+    for (const double z : {2.0, 2 + gap}) EXPECT_TRUE(has(planes.at[2], z)) << gap;
+  }
   const Surface plate = surface_of(make_box({10, 10, 0.2}));
-  EXPECT_EQ(lattice_planes(plate, 1).cells(2), 2u) << "one plane, and one beyond it on either side";
-  const LatticePlanes planes = lattice_planes(plate, 1, {.walls = true});
-  for (const double z : {plate.box.low[2], plate.box.high[2]}) EXPECT_TRUE(has(planes.at[2], z));
   const LatticePlanes at_hole =
       lattice_planes(plate, 1, {.walls = false, .holes = {{{1.3, 2.2, 0}, {1.7, 9, 0.2}}}});
   EXPECT_TRUE(has(at_hole.at[0], 1.3));
   EXPECT_TRUE(has(at_hole.at[0], 1.7));
   EXPECT_FALSE(has(at_hole.at[1], 2.2)) << "the hole is wide there";
+}
+
+TEST(LatticePlanes, LieOnBothSidesOfSheetsAndNeedles) {
+  for (const double thickness : {0.5, 0.01, 1e-4}) {
+    for (const Vector3& sides : {Vector3{10, 10, thickness}, Vector3{10, thickness, thickness}}) {
+      const LatticePlanes planes = lattice_planes(surface_of(make_box(sides)), 1);
+      for (const double z : {-0.5 * thickness, 0.5 * thickness})
+        EXPECT_TRUE(std::ranges::any_of(planes.at[2], [&](double at) { return std::abs(at - z) < 1e-12; })) << z;
+    }
+  }
 }
 
 TEST(LatticePlanes, AreNearerAtFinePlacesAndGrowApartSlowly) {
