@@ -56,9 +56,8 @@ std::vector<FlatArea> flat_areas(const Surface& surface, std::size_t axis, doubl
     if (std::abs(surface.normals[t][axis]) < kNormalCosine) continue;
     const auto [a, b, c] = surface.corners(t);
     const bool looks_back = surface.normals[t][axis] < 0;
-    triangles[looks_back ? 1 : 0].push_back(
-        {(a[axis] + b[axis] + c[axis]) / 3, surface.areas[t],
-         looks_back ? -surface.areas[t] : surface.areas[t]});
+    triangles[looks_back ? 1 : 0].push_back({(a[axis] + b[axis] + c[axis]) / 3, surface.areas[t],
+                                             looks_back ? -surface.areas[t] : surface.areas[t]});
   }
   std::vector<FlatArea> planes;
   for (std::vector<FlatArea>& of_direction : triangles) add_planes(std::move(of_direction), size, planes);

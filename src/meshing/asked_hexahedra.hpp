@@ -15,10 +15,10 @@ class AskedHexahedra {
   /// The options must outlive the object.
   explicit AskedHexahedra(const HexMeshingOptions& options) : options_(options) {}
 
-  /// Throws Error(kInput) by `check_scale`, Error(kUsage) if hexahedra or tets are too large for the part or too small, Error(kLimit) if
-  /// hexahedra need more tets than are made. Hands out warnings if few hexahedra fit across most of the part,
-  /// and if the tets of a given size are many. Only the first call counts: tets of other sizes are of the
-  /// same part.
+  /// Throws Error(kInput) by `check_scale`, Error(kUsage) if hexahedra or tets are too large for the part or
+  /// too small, Error(kLimit) if hexahedra need more tets than are made. Hands out warnings if few hexahedra
+  /// fit across most of the part, and if the tets of a given size are many. Only the first call counts: tets
+  /// of other sizes are of the same part.
   void check(const SearchableSurface& part);
 
   /// For the report.

@@ -47,8 +47,8 @@ TEST(LatticePlanes, OfFacesThatAreTooNearAreThoseOfTheLargest) {
 
 TEST(LatticePlanes, LieOnBothSidesOfThinWallsAndOfHolesIfAskedTo) {
   for (const double gap : {0.2, 0.01, 0.001}) {
-    const Surface boxes =
-        surface_of(join_meshes(make_box({10, 10, 4}), translate_mesh(make_box({10, 10, 4}), {0, 0, 4 + gap})));
+    const Surface boxes = surface_of(
+        join_meshes(make_box({10, 10, 4}), translate_mesh(make_box({10, 10, 4}), {0, 0, 4 + gap})));
     EXPECT_EQ(lattice_planes(boxes, 1).cells(2), 2 + 8) << "one plane for both sides of a gap of " << gap;
     const LatticePlanes planes = lattice_planes(boxes, 1, {.walls = true});
     for (const double z : {2.0, 2 + gap}) EXPECT_TRUE(has(planes.at[2], z)) << gap;
@@ -66,7 +66,8 @@ TEST(LatticePlanes, LieOnBothSidesOfSheetsAndNeedles) {
     for (const Vector3& sides : {Vector3{10, 10, thickness}, Vector3{10, thickness, thickness}}) {
       const LatticePlanes planes = lattice_planes(surface_of(make_box(sides)), 1);
       for (const double z : {-0.5 * thickness, 0.5 * thickness})
-        EXPECT_TRUE(std::ranges::any_of(planes.at[2], [&](double at) { return std::abs(at - z) < 1e-12; })) << z;
+        EXPECT_TRUE(std::ranges::any_of(planes.at[2], [&](double at) { return std::abs(at - z) < 1e-12; }))
+            << z;
     }
   }
 }
