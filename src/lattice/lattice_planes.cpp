@@ -25,14 +25,16 @@ constexpr double kWidestHole = 2;
 constexpr double kShortestLine = 2;
 
 /// Both sides of a wall or a gap get planes if they have this area, in squared sizes, and are this far apart.
-constexpr double kWallArea = 4, kThinnestWall = 1e-4;
+/// Of gaps between boxes and hollow boxes with walls of 1e-2 to 1e-7 sizes, all down to 1e-5 are filled by
+/// right angles with any smaller value; walls of 1e-6 are none for the volume shares.
+constexpr double kWallArea = 4, kThinnestWall = 1e-5;
 
 struct FlatArea {
   double coordinate, area;
   double towards;  ///< area that looks along the axis, less that which looks back
 };
 
-/// The faces normal to an axis: each plane's mean coordinate and area. Adds those of some triangles.
+/// Adds the planes in which some triangles normal to an axis lie: each one's mean coordinate and area.
 void add_planes(std::vector<FlatArea> triangles, double size, std::vector<FlatArea>& planes) {
   std::ranges::sort(triangles, {}, &FlatArea::coordinate);
   for (std::size_t begin = 0, end = 0; begin < triangles.size(); begin = end) {
@@ -48,8 +50,8 @@ void add_planes(std::vector<FlatArea> triangles, double size, std::vector<FlatAr
   }
 }
 
-/// The largest first. Faces that look along the axis are in other planes than those that look back, however
-/// near: they may be the sides of a wall.
+/// Returns the planes of the faces normal to an axis, the largest first. Faces that look along the axis are
+/// in other planes than those that look back, however near: they may be the sides of a wall.
 std::vector<FlatArea> flat_areas(const Surface& surface, std::size_t axis, double size) {
   std::array<std::vector<FlatArea>, 2> triangles;
   for (std::size_t t = 0; t < surface.size(); ++t) {

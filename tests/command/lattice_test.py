@@ -173,18 +173,19 @@ class Lattice(CommandTest):
         self.assertIn(", the search was stopped", made["sentence"])
         self.assertGreater(made["hexahedra"], 0)
 
-    def test_has_one_hexahedron_across_sheets_needles_and_gaps_however_thin(self):
-        gap = 0.0003
-        two = [box_triangles(), np.array(box_triangles()) * (0.5, 1, 1) + (2 + gap, 0, 0)]
-        parts = {"sheet.stl": (np.array(box_triangles()) * (1, 1, 0.001), 32), "needle.stl": (np.array(box_triangles()) * (1, 0.001, 0.002), 8)}
-        for name, (triangles, number) in parts.items():
-            with self.subTest(name):
-                self.write(name, stl_bytes(triangles))
-                self.assertEqual(self.made("--lattice", "--cells", "8", model=name)[1]["hexahedra"], number)
-        self.write("gap.stl", stl_bytes(np.concatenate(two)))
-        report = self.made("--lattice", "--cells", "8", model="gap.stl")[1]
-        self.assertEqual(report["bodies"], 2)
-        self.assert_all_hex(report["size"], "gap.stl")
+    def test_has_one_hexahedron_across_sheets_needles_walls_and_gaps(self):
+        for thickness in (0.01, 2e-5):
+            box = np.array(box_triangles((2, 2, 2)))
+            hollow = np.concatenate([box, (box * (1 - thickness) + thickness)[:, ::-1]])
+            apart = np.concatenate([box, box + (2 + thickness, 0, 0)])
+            parts = {"sheet": (box * (1, 1, thickness), 8**2), "needle": (box * (1, thickness, 2 * thickness), 8),
+                     "walls": (hollow, 10**3 - 8**3), "gap": (apart, 2 * 4**3)}
+            for name, (triangles, number) in parts.items():
+                with self.subTest(name, thickness=thickness):
+                    self.write(f"{name}.stl", stl_bytes(triangles))
+                    report = self.made("--lattice", "--cells", "8", model=f"{name}.stl")[1]
+                    self.assertEqual(report["hexahedra"], number)
+                    self.assertGreater(report["scaled_jacobian"]["min"], 0.999)
 
     def test_takes_no_options_of_maps(self):
         self.write("part.stl", stl_bytes(box_triangles()))
@@ -195,6 +196,7 @@ class Lattice(CommandTest):
         self.write("part.stl", stl_bytes(box_triangles()))
         for size in ("1e9", "1e-9"):
             self.assert_fails(self.run_here("hex", "part.stl", "--lattice", "--size", size, "-o", "out"), USAGE, "too")
+        self.assertFalse((self.folder / "out").exists())
 
     def test_refuses_models_of_no_size_before_any_work_as_maps_do(self):
         for scale in (1e-12, 1e15):
