@@ -17,6 +17,14 @@
 namespace crossgrain {
 namespace {
 
+/// Range of the longest side in which cubes and inverse squares of cell sizes fit into single precision.
+constexpr double kSmallestModel = 1e-9;
+constexpr double kLargestModel = 1e12;
+
+/// Largest distance from the origin, in sizes of the model. Farther away, coordinates have too few digits for
+/// its shape.
+constexpr double kFarthestModel = 1e9;
+
 /// More elements are in no memory: at 100 bytes each, 100 TB. They are a wrong unit; fewer may be a wish.
 constexpr double kBeyondMemory = 1e12;
 
@@ -108,6 +116,25 @@ double expected_tets(const PartSize& part, double size) {
 
 std::string length_text(double length, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", length, unit.empty() ? "" : " ", unit);
+}
+
+void check_scale(const Box& box) {
+  const double size = longest_side(box);
+  if (!(size >= kSmallestModel && size <= kLargestModel)) {
+    throw Error(ErrorKind::kInput,
+                fmt::format("the model is {:.3g} across, which is not between {:g} and {:g}", size,
+                            kSmallestModel, kLargestModel),
+                Remedy::kRescale);
+  }
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
+  }
+  if (farthest > kFarthestModel * size) {
+    throw Error(ErrorKind::kInput,
+                fmt::format("the model is {:.3g} across but {:.3g} away from the origin", size, farthest),
+                Remedy::kMoveToOrigin);
+  }
 }
 
 void check_asked_size(const AskedSize& asked, const PartSize& part) {

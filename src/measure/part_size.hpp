@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a size that is asked for suits a part: most that do not are in another unit.
+// The size of a part: whether numbers hold it, and whether a size that is asked for suits it. Most that do
+// not are in another unit.
 #pragma once
 
 #include <cstddef>
@@ -34,6 +35,9 @@ struct AskedSize {
   double expected = 0;   ///< number of them that fill the part
   Remedy remedy = Remedy::kNone;
 };
+
+/// Throws Error(kInput) for a model so small, large or far away that derived numbers exceed single precision.
+void check_scale(const Box& box);
 
 /// Throws Error(kUsage) if elements of a size are larger than the part, or so many that no memory holds them.
 /// The message tells the size of the part, the unit that it may be in, and a size that suits it.

@@ -9,8 +9,8 @@
 #include "crossgrain/error.hpp"
 #include "hex/hex_forecast.hpp"
 #include "hex/hex_memory.hpp"
+#include "measure/part_size.hpp"
 #include "meshing/hexahedra_of_models.hpp"
-#include "solve/solve_checks.hpp"
 
 namespace crossgrain {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "measure/constraint_report.hpp"
 #include "measure/input_report.hpp"
+#include "measure/part_size.hpp"
 #include "solve/solve_checks.hpp"
 #include "surface/constraint_guides.hpp"
 #include "surface/model_faces.hpp"

@@ -21,14 +21,6 @@ namespace {
 
 constexpr int kSmallestResolution = 4;
 
-/// Range of the longest side in which cubes and inverse squares of cell sizes fit into single precision.
-constexpr double kSmallestModel = 1e-9;
-constexpr double kLargestModel = 1e12;
-
-/// Largest distance from the origin, in sizes of the model. Farther away, coordinates have too few digits for
-/// its shape.
-constexpr double kFarthestModel = 1e9;
-
 /// Number of active cells per squared finest cell of surface, if all walls are thick.
 constexpr double kCellsPerFace = 2;
 
@@ -93,25 +85,6 @@ void check_options(const SolveOptions& options) {
   demand(options.threads >= 0, "the number of threads must not be negative");
   demand(options.crease_angle_deg > 0 && options.crease_angle_deg <= 180,
          "the angle of creases must lie above 0 and be at most 180 degrees");
-}
-
-void check_scale(const Box& box) {
-  const double size = longest_side(box);
-  if (!(size >= kSmallestModel && size <= kLargestModel)) {
-    throw Error(ErrorKind::kInput,
-                fmt::format("the model is {:.3g} across, which is not between {:g} and {:g}", size,
-                            kSmallestModel, kLargestModel),
-                Remedy::kRescale);
-  }
-  double farthest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
-  }
-  if (farthest > kFarthestModel * size) {
-    throw Error(ErrorKind::kInput,
-                fmt::format("the model is {:.3g} across but {:.3g} away from the origin", size, farthest),
-                Remedy::kMoveToOrigin);
-  }
 }
 
 void check_surface_memory(const TriangleMesh& mesh, const SolveOptions& options) {

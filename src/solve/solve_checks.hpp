@@ -15,9 +15,6 @@ namespace crossgrain {
 /// Throws Error(kUsage) for an option out of its range.
 void check_options(const SolveOptions& options);
 
-/// Throws Error(kInput) for a model so small, large or far away that derived numbers exceed single precision.
-void check_scale(const Box& box);
-
 /// Throws Error(kLimit) if the surface alone needs more memory than allowed, before any is taken for it.
 void check_surface_memory(const TriangleMesh& mesh, const SolveOptions& options);
 

@@ -15,6 +15,7 @@
 #include "field/field_data.hpp"
 #include "field/tet_finish.hpp"
 #include "measure/answer_limits.hpp"
+#include "measure/part_size.hpp"
 #include "measure/tet_evaluation.hpp"
 #include "singularity/tet_surface.hpp"
 #include "solve/carried_frames.hpp"

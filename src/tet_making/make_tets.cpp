@@ -75,6 +75,7 @@ constexpr double kMostTets = 20000000;
 /// Returns the size of the tets in a closed surface. Throws if it does not suit the part, or if there would
 /// be too many.
 double size_for(const SearchableSurface& surface, const TetMakingTuning& options) {
+  check_scale(surface.surface().box);
   const PartSize part = part_size(surface.surface());
   const double size = options.size_for(part.longest);
   const double expected = expected_tets(part, size);

@@ -221,6 +221,21 @@ class BadModels(CommandTest):
         self.refuse("large.stl", stl_bytes(1e15 * box_triangles()), "rescale")
         self.refuse("far.obj", "v 1e12 0 0\nv 1e12 1 0\nv 1e12 0 1\nf 1 2 3\n", "origin")
 
+    def test_models_of_a_size_or_at_a_place_that_numbers_cannot_hold_have_no_tets_and_hexahedra(self):
+        self.write("small.stl", stl_bytes(1e-12 * box_triangles()))
+        self.write("large.stl", stl_bytes(1e15 * box_triangles()))
+        corners = (box_triangles() + (1e11, 0, 0)).reshape(-1, 3).tolist()
+        faces = "".join(f"f {3 * k + 1} {3 * k + 2} {3 * k + 3}\n" for k in range(12))
+        self.write("far.obj", "".join("v {!r} {!r} {!r}\n".format(*corner) for corner in corners) + faces)
+        for model, words in {"small.stl": "rescale it", "large.stl": "rescale it", "far.obj": "move it to the origin"}.items():
+            for command in (["hex", "--cells", "4"], ["hex", "--lattice", "--cells", "4"], ["tets", "--edges", "4"]):
+                with self.subTest(model, command=command):
+                    output = "out.mesh" if command[0] == "tets" else "out"
+                    result = self.run_here(command[0], model, *command[1:], "-o", output)
+                    self.assert_fails(result, 3, f"{model}: the model is ")
+                    self.assertIn(words, result.stderr)
+                    self.assertFalse((self.folder / output).exists())
+
     def test_coordinates_that_are_no_numbers(self):
         triangles = box_triangles()
         triangles[3, 1, 2] = float("nan")

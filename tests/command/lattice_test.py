@@ -198,15 +198,6 @@ class Lattice(CommandTest):
             self.assert_fails(self.run_here("hex", "part.stl", "--lattice", "--size", size, "-o", "out"), USAGE, "too")
         self.assertFalse((self.folder / "out").exists())
 
-    def test_refuses_models_of_no_size_before_any_work_as_maps_do(self):
-        for scale in (1e-12, 1e15):
-            self.write("part.stl", stl_bytes(np.array(box_triangles()) * scale))
-            for way in ([], ["--lattice"]):
-                result = self.run_here("hex", "part.stl", *way, "-o", "out")
-                self.assert_fails(result, INPUT, "part.stl: the model is")
-                self.assertNotIn("attempt", result.stdout + result.stderr)
-                self.assertFalse((self.folder / "out").exists())
-
 
 if __name__ == "__main__":
     unittest.main()
