@@ -25,8 +25,12 @@ using Kind = HexCarrier::Kind;
 /// Weight of the change of volume against that of shape.
 constexpr double kFitVolumeWeight = 1.0 / 6;
 
-/// Samples are so many sizes apart.
+/// Samples are so many sizes apart: 12 a quad of that size.
 constexpr double kSampleSpacing = 0.4;
+
+/// Samples for each quad at most, in the mean: more where quads are far larger than the size, as those of
+/// thin layers are, which would take memory without end.
+constexpr double kMostSamplesOfQuad = 1000;
 
 /// Weights of pulls, in energies of a vertex that is off by a size: 1 to 100 while they go to places, then to
 /// 1e4, by these factors a round. Twice as many rounds of the root of this factor take 1.6 times as long for
@@ -61,6 +65,14 @@ void tell_part(int part, int done, int all) {
   tell_watched(Phase::kSmooth, 0.25 * (part + static_cast<double>(done) / all));
 }
 
+/// Each sample has at least half of the squared spacing.
+double sample_spacing(const FeatureComplex& complex, std::size_t quads, double size) {
+  double area = 0;
+  for (const FeatureComplex::Face& face : complex.faces) area += face.area;
+  const double most = kMostSamplesOfQuad * static_cast<double>(std::max<std::size_t>(quads, 1));
+  return std::max(kSampleSpacing * size, std::sqrt(2 * area / most));
+}
+
 class HexFitting {
  public:
   HexFitting(HexMesh& mesh, const FeatureComplex& complex, const HexCarriers& carriers, double size,
@@ -70,7 +82,8 @@ class HexFitting {
         size_(size),
         options_(options),
         targets_(complex, carriers, size),
-        samples_(surface_samples(complex, carriers.group_of_face, kSampleSpacing * size)),
+        samples_(surface_samples(complex, carriers.group_of_face,
+                                 sample_spacing(complex, carriers.quads.size(), size))),
         trust_(mesh.vertices.size(), 1.0) {}
 
   HexFittingResult run();

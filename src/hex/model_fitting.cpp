@@ -33,6 +33,9 @@ namespace {
 /// another unit, and a part drawn elsewhere, are not.
 constexpr double kMostBoxesApart = 0.25;
 
+/// Half of the edges of hexahedra are longer than this, relative to the longest side of the box around them.
+constexpr double kLeastMedianEdge = 1e-9;
+
 /// Tags quads by the faces of the model that are nearest to their centres.
 void tag_by_nearest_faces(const FeatureComplex& features, HexMesh& mesh) {
   TriangleMesh triangles{features.vertices, features.triangles};
@@ -94,6 +97,9 @@ void check_fittable(const HexMesh& mesh) {
                                       "has a corner that is no vertex of the mesh"});
   if (!mesh.regions.empty() && mesh.regions.size() != mesh.hexahedra.size())
     throw Error(ErrorKind::kUsage, "a mesh of hexahedra must have a region for each of them, or none");
+  if (!(median_edge(mesh) > kLeastMedianEdge * longest_side(box_of(mesh.vertices))))
+    throw Error(ErrorKind::kInput,
+                "these hexahedra are no mesh to be fitted: half of their edges have no length");
   const HexTopology topology = topology_of(mesh);
   if (topology.is_closed()) return;
   std::vector<std::string> faults;

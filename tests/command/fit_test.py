@@ -154,6 +154,15 @@ class Short(FitTest):
         self.assertIn("approximate: ", result.stdout)
         self.assertEqual(self.fit("mesh.mesh", "rod.stl", "--accept", "approximate").returncode, 0)
 
+    def test_thin_layers_take_little_memory(self):
+        self.write("box.stl", stl_bytes(slanted_box()))
+        points, hexahedra = blocks((4, 4, 4), (4, 3, 2.5))
+        layers = np.array([0, 1e-5, 2e-5, 3e-5, 1])
+        self.write("mesh.mesh", medit(layers[np.round(4 * points / (4, 3, 2.5)).astype(int)] * (4, 3, 2.5), hexahedra))
+        result = self.fit("mesh.mesh", "box.stl", "--max-memory", "300MB", "--no-report")
+        self.assertIn(result.returncode, (0, PARTIAL, APPROXIMATE), result.stderr)
+        self.assertNotIn("memory", result.stderr)
+
     def test_a_hole_that_the_model_has_not_makes_it_partial(self):
         self.write("box.stl", stl_bytes(box_triangles((4, 3, 3))))
         self.write("mesh.mesh", medit(*blocks((4, 3, 3), (4, 3, 3), without=[(1, 1, 0), (1, 1, 1), (1, 1, 2)])))
@@ -183,6 +192,12 @@ class Refused(FitTest):
         points, hexahedra = blocks((4, 3, 3), (4, 3, 3))
         self.refused(medit(points, np.concatenate([hexahedra, hexahedra[:1]])),
                      "mesh.mesh: these hexahedra are no mesh to be fitted: they have 6 faces of three or more of them, or on one side of two")
+
+    def test_are_hexahedra_without_extent(self):
+        points, hexahedra = blocks((4, 4, 4), (4, 3, 3))
+        ends = np.where(points > 0.9 * points.max(axis=0), points, 0)
+        for flat in (np.where(np.arange(len(points))[:, None] == 0, 1.0, 0.0) * (4, 3, 3), ends):
+            self.refused(medit(flat, hexahedra), "mesh.mesh: these hexahedra are no mesh to be fitted: half of their edges have no length")
 
     def test_are_files_of_something_else(self):
         self.refused("solid a\n", "is named .mesh but begins like an STL file", name="mesh.mesh")
