@@ -8,7 +8,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
+from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, medit_text, stl_bytes, tet_box, torus_triangles
 from resident_memory import resident_bytes_with_descendants
 from tets_test import MAKERS
 
@@ -52,6 +52,13 @@ class WhatDoesNotFit(MemoryTest):
     def test_is_refused_by_a_repair_too(self):
         self.write("fine.mesh", medit_text(*tet_box((20, 20, 20), (4.0, 3.0, 3.0))))
         self.refuse("solve", "fine.mesh", "--prepare", "--repair", "--max-memory", "70MB", "-o", "out", words=["a repair on 49140 tets takes 0."])
+
+    def test_is_refused_by_the_number_of_triangles_that_hexahedra_are_put_onto(self):
+        self.write("torus.stl", stl_bytes(torus_triangles(around=400, across=200)))
+        self.refuse("hex", "torus.stl", "--lattice", "--cells", "8", "--max-memory", "100MB", "-o", "out",
+                    words=["torus.stl: putting hexahedra onto 160000 triangles takes 0.1"])
+        peak = self.peak_of("hex", "torus.stl", "--lattice", "--cells", "8", "--max-memory", "180MB", "-o", "out", "--no-report", codes=(0, APPROXIMATE))
+        self.assertLessEqual(peak, 180e6)
 
     @unittest.skipUnless("gmsh" in MAKERS, "gmsh is not installed")
     def test_is_told_of_what_gmsh_takes(self):
