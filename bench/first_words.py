@@ -3,7 +3,8 @@
 """Prints, for each model, when `hex` first says how it will end, how it ends, and how good its forecast was.
 
 A table in Markdown: processor seconds to the first line that tells the outcome and in all, helpers included; exit code; number of
-hexahedra told before the attempt whose mesh is written, and made; the lines `hexahedra` and `worst`. Then how many forecasts were within a factor of two. The line that
+hexahedra told before the attempt whose mesh is written, and made; the lines `hexahedra` and `worst`. Then how many forecasts were within a factor of two, of these
+and of all lattices that were tried. The line that
 tells is that of the first attempt that fills the model, the line `hexahedra` itself, or an error, whichever comes first.
 """
 import argparse
@@ -63,19 +64,28 @@ class Run:
     def first_word(self):
         return min(self.seconds, next((at for at, text in self.lines if TELLS.search(text)), self.seconds))
 
-    def forecast(self):
-        """The last number told before the end of the attempt whose mesh is written: of maps in the row `expected`, of a lattice with the plan."""
-        of_maps = told = 0
-        best = self.hexahedra["attempts"][self.hexahedra["best_attempt"]]["number"]
+    def forecasts(self):
+        """By the numbers of attempts, the last number told before the end of each: of maps in the row `expected`, of a lattice with the plan."""
+        told, of_maps, next_told = {}, 0, 0
         for _, text in self.lines:
             if expected := re.match(r"expected +about ([\d.e+]+)", text):
-                of_maps = told = float(expected[1])
+                of_maps = next_told = float(expected[1])
             elif ended := re.match(r"attempt (\d+):", text):
-                if int(ended[1]) == best:
-                    break
+                told[int(ended[1])] = next_told
                 plan = re.search(r"; trying .*, about ([\d.e+]+)", text)
-                told = float(plan[1]) if plan else of_maps
-        return told
+                next_told = float(plan[1]) if plan else of_maps
+        return told, next_told
+
+    def forecast(self):
+        """The number told before the attempt whose mesh is written."""
+        told, last = self.forecasts()
+        return told.get(self.hexahedra["attempts"][self.hexahedra["best_attempt"]]["number"], last)
+
+    def lattices(self):
+        """What was told before each lattice that was put onto the model, and what it became."""
+        told, last = self.forecasts()
+        fitted = [attempt for attempt in self.hexahedra["attempts"] if attempt["kind"] == "lattice" and attempt["outcome"] != "none"]
+        return [(told.get(attempt["number"], last), attempt["hexahedra"]) for attempt in fitted]
 
     def words(self):
         kept = [text.split(None, 1)[1] for _, text in self.lines if re.match(r"(hexahedra|worst) +\S", text)]
@@ -90,14 +100,16 @@ def main():
     parser.add_argument("--options", default="--cells 20", help="of hex")
     arguments = parser.parse_args()
     print("| model | first word | in all | exit | expected | made | words |\n|---|---:|---:|---:|---:|---:|---|")
-    ratios = {True: [], False: []}
+    ratios, of_lattices = {True: [], False: []}, []
     for model in arguments.models:
         run = Run(arguments.program, model, arguments.options.split(), arguments.limit)
         expected, made = (run.forecast(), run.hexahedra["hexahedra"]) if run.hexahedra else (0, 0)
         if made > 0:
             ratios[run.hexahedra["outcome"] == "all-hex"].append(max(expected, made) / min(expected, made))
+        if run.hexahedra:
+            of_lattices += [max(told, became) / min(told, became) for told, became in run.lattices() if min(told, became) > 0]
         print(f"| {model.name} | {run.first_word():.1f} | {run.seconds:.1f} | {run.code} | {expected:.0f} | {made} | {run.words()} |", flush=True)
-    for name, of in (("whole meshes", ratios[True]), ("all", ratios[True] + ratios[False])):
+    for name, of in (("whole meshes", ratios[True]), ("all", ratios[True] + ratios[False]), ("lattices", of_lattices)):
         print(f"\n{sum(ratio <= WITHIN for ratio in of)} of {len(of)} {name} are within a factor of {WITHIN} of their forecast.")
 
 
