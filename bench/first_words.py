@@ -3,9 +3,9 @@
 """Prints, for each model, when `hex` first says how it will end, how it ends, and how good its forecast was.
 
 A table in Markdown: processor seconds to the first line that tells the outcome and in all, helpers included; exit code; number of
-hexahedra told before the attempt whose mesh is written, and made; the lines `hexahedra` and `worst`. Then how many forecasts were within a factor of two, of these
-and of all lattices that were tried. The line that
-tells is that of the first attempt that fills the model, the line `hexahedra` itself, or an error, whichever comes first.
+hexahedra told before the attempt whose mesh is written, told within it before vertices move onto the model (0 where they need not), and made; the lines
+`hexahedra` and `worst`. Then how many forecasts were within a factor of two, of these, of all lattices that were tried, and of the numbers told last. The
+line that tells is that of the first attempt that fills the model, the line `hexahedra` itself, or an error, whichever comes first.
 """
 import argparse
 import json
@@ -17,7 +17,8 @@ import tempfile
 import threading
 from pathlib import Path
 
-TELLS = re.compile(r"^(hexahedra |attempt \d+: [\d,]+ hexahedr\w+ fills? |crossgrain: (?!warning))")
+TELLS = re.compile(r"^(hexahedra |crossgrain: (?!warning))")
+FILLS = re.compile(r"[\d,]+ hexahedr\w+ fills? ")
 WITHIN = 2
 
 
@@ -46,7 +47,7 @@ class Reader(threading.Thread):
 class Run:
     def __init__(self, program, model, options, limit):
         with tempfile.TemporaryDirectory(prefix="crossgrain-words-") as folder:
-            command = [program, "hex", model, "-o", f"{folder}/out", "--no-report", "--progress", *options]
+            command = [program, "hex", model, "-o", f"{folder}/out", "--no-report", "--progress", "json", *options]
             process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             readers = [Reader(stream, process.pid) for stream in (process.stdout, process.stderr)]
             ending = threading.Timer(limit, process.terminate)
@@ -57,29 +58,41 @@ class Run:
                 reader.join()
             self.code, self.seconds = os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime
             process.returncode = self.code
-            self.lines = sorted((line for reader in readers for line in reader.lines), key=lambda line: line[0])
+            lines = sorted((line for reader in readers for line in reader.lines), key=lambda line: line[0])
+            self.events = [(at, json.loads(text)) for at, text in lines if text.startswith("{")]
+            self.lines = [(at, text) for at, text in lines if not text.startswith("{")]
             report = Path(folder, "out", "report.json")
             self.hexahedra = json.loads(report.read_text(encoding="utf-8"))["hexahedra"] if report.exists() else None
 
     def first_word(self):
-        return min(self.seconds, next((at for at, text in self.lines if TELLS.search(text)), self.seconds))
+        told = [at for at, text in self.lines if TELLS.search(text)]
+        told += [at for at, event in self.events if event["event"] == "attempt" and FILLS.match(event["text"])]
+        return min(told, default=self.seconds)
 
     def forecasts(self):
         """By the numbers of attempts, the last number told before the end of each: of maps in the row `expected`, of a lattice with the plan."""
         told, of_maps, next_told = {}, 0, 0
-        for _, text in self.lines:
-            if expected := re.match(r"expected +about ([\d.e+]+)", text):
-                of_maps = next_told = float(expected[1])
-            elif ended := re.match(r"attempt (\d+):", text):
-                told[int(ended[1])] = next_told
-                plan = re.search(r"; trying .*, about ([\d.e+]+)", text)
+        for _, event in self.events:
+            if event["event"] == "expected":
+                of_maps = next_told = event["hexahedra"]
+            elif event["event"] == "attempt":
+                told[event["attempt"]] = next_told
+                plan = re.search(r", about ([\d.e+]+)", event["next"])
                 next_told = float(plan[1]) if plan else of_maps
         return told, next_told
 
+    def best(self):
+        """Number of the attempt whose mesh is written."""
+        return self.hexahedra["attempts"][self.hexahedra["best_attempt"]]["number"]
+
     def forecast(self):
-        """The number told before the attempt whose mesh is written."""
+        """The number told before that attempt."""
         told, last = self.forecasts()
-        return told.get(self.hexahedra["attempts"][self.hexahedra["best_attempt"]]["number"], last)
+        return told.get(self.best(), last)
+
+    def told_within(self):
+        """The last number told within that attempt before vertices moved, or 0."""
+        return next((event["fitted"] for _, event in reversed(self.events) if event.get("attempt") == self.best() and "fitted" in event), 0)
 
     def lattices(self):
         """What was told before each lattice that was put onto the model, and what it became."""
@@ -92,6 +105,10 @@ class Run:
         return "; ".join(kept) if kept else next((text for _, text in reversed(self.lines) if text.startswith("crossgrain:")), "")
 
 
+def ratio_of(one, other):
+    return max(one, other) / min(one, other) if min(one, other) > 0 else float("inf")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -99,17 +116,18 @@ def main():
     parser.add_argument("--limit", type=float, default=900, help="seconds after which a run is ended, with its best mesh")
     parser.add_argument("--options", default="--cells 20", help="of hex")
     arguments = parser.parse_args()
-    print("| model | first word | in all | exit | expected | made | words |\n|---|---:|---:|---:|---:|---:|---|")
-    ratios, of_lattices = {True: [], False: []}, []
+    print("| model | first word | in all | exit | expected | within | made | words |\n|---|---:|---:|---:|---:|---:|---:|---|")
+    ratios, of_lattices, within = {True: [], False: []}, [], []
     for model in arguments.models:
         run = Run(arguments.program, model, arguments.options.split(), arguments.limit)
-        expected, made = (run.forecast(), run.hexahedra["hexahedra"]) if run.hexahedra else (0, 0)
+        expected, last, made = (run.forecast(), run.told_within(), run.hexahedra["hexahedra"]) if run.hexahedra else (0, 0, 0)
         if made > 0:
-            ratios[run.hexahedra["outcome"] == "all-hex"].append(max(expected, made) / min(expected, made))
+            ratios[run.hexahedra["outcome"] == "all-hex"].append(ratio_of(expected, made))
+            within.append(ratio_of(last or expected, made))
         if run.hexahedra:
-            of_lattices += [max(told, became) / min(told, became) for told, became in run.lattices() if min(told, became) > 0]
-        print(f"| {model.name} | {run.first_word():.1f} | {run.seconds:.1f} | {run.code} | {expected:.0f} | {made} | {run.words()} |", flush=True)
-    for name, of in (("whole meshes", ratios[True]), ("all", ratios[True] + ratios[False]), ("lattices", of_lattices)):
+            of_lattices += [ratio_of(told, became) for told, became in run.lattices() if min(told, became) > 0]
+        print(f"| {model.name} | {run.first_word():.1f} | {run.seconds:.1f} | {run.code} | {expected:.0f} | {last} | {made} | {run.words()} |", flush=True)
+    for name, of in (("whole meshes", ratios[True]), ("all", ratios[True] + ratios[False]), ("lattices", of_lattices), ("meshes, as told last,", within)):
         print(f"\n{sum(ratio <= WITHIN for ratio in of)} of {len(of)} {name} are within a factor of {WITHIN} of their forecast.")
 
 

@@ -33,6 +33,7 @@ std::string json_line(const Progress& progress, double seconds) {
     json["tets"] = progress.tets;
     json["most_tets"] = progress.most_tets;
   }
+  if (progress.fitted > 0) json["fitted"] = progress.fitted;
   if (progress.hexahedra > 0)
     json["best"] = {{"hexahedra", progress.hexahedra}, {"outcome", name_of(progress.outcome)}};
   return line_of(json);

@@ -97,7 +97,8 @@ std::string attempt_text(const Progress& progress) {
   std::string text = fmt::format("attempt {}", progress.attempt);
   if (progress.most_tets > 1)
     text += fmt::format(", tets {} of at most {}", progress.tets, progress.most_tets);
-  return text + ": " + stage_of(progress.phase);
+  text += fmt::format(": {}", stage_of(progress.phase));
+  return progress.fitted == 0 ? text : text + " " + counted(progress.fitted, "hexahedron", "hexahedra");
 }
 
 std::string best_text(const Progress& progress) {
@@ -113,7 +114,8 @@ bool is_of_level(const Progress& progress) {
 
 bool same_line(const Progress& a, const Progress& b) {
   if (is_of_attempt(a) || is_of_attempt(b))
-    return a.attempt == b.attempt && stage_of(a.phase) == std::string_view(stage_of(b.phase));
+    return a.attempt == b.attempt && a.fitted == b.fitted &&
+           stage_of(a.phase) == std::string_view(stage_of(b.phase));
   if (is_of_level(a) || is_of_level(b)) return is_of_level(a) && is_of_level(b) && a.level == b.level;
   return a.phase == b.phase;
 }

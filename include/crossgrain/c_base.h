@@ -246,6 +246,7 @@ typedef struct crossgrain_progress {
   size_t most_tets;
   size_t hexahedra;
   crossgrain_hex_outcome outcome;
+  size_t fitted; /**< hexahedra that are put onto the model, with their layers; 0 if not known yet */
 } crossgrain_progress;
 
 /** Forecast for a whole solve, once, before its expensive levels; none for small ones. */

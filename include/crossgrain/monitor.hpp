@@ -55,6 +55,10 @@ struct Progress {
   /// and what it is.
   std::size_t attempt = 0, tets = 0, most_tets = 0, hexahedra = 0;
   HexOutcome outcome = HexOutcome::kNone;
+
+  /// Of hexahedra that are put onto the model (kSmooth): how many there are, with the layers that its
+  /// features need; 0 before that is known.
+  std::size_t fitted = 0;
 };
 
 /// Carries cancellation into a computation and progress out of it.

@@ -39,6 +39,8 @@ class Progress:
         self.most_tets: int = content.most_tets
         self.hexahedra: int = content.hexahedra
         self.outcome: str = self.OUTCOMES[content.outcome]
+        # Hexahedra that are put onto the model, with their layers; 0 before that is known.
+        self.fitted: int = content.fitted
 
     def __repr__(self) -> str:
         return (f"Progress({self.phase!r}, level={self.level}/{self.levels}, sweep={self.sweep}, "

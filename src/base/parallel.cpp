@@ -373,10 +373,11 @@ void check_watched() {
   if (t_watching != nullptr) t_watching->check();
 }
 
-void WatchedLoops::tell(Phase phase, double share) const {
+void WatchedLoops::tell(Phase phase, double share, std::size_t fitted) const {
   if (std::this_thread::get_id() != thread_) return;
   Progress progress{phase, 0, 0, 0, std::numeric_limits<double>::quiet_NaN()};
   progress.share = share;
+  progress.fitted = fitted;
   monitor_.report(progress);
 }
 
@@ -384,8 +385,8 @@ std::size_t watched_memory_bytes() {
   return t_watching != nullptr ? t_watching->max_memory_bytes() : 0;
 }
 
-void tell_watched(Phase phase, double share) {
-  if (t_watching != nullptr) t_watching->tell(phase, share);
+void tell_watched(Phase phase, double share, std::size_t fitted) {
+  if (t_watching != nullptr) t_watching->tell(phase, share, fitted);
 }
 
 void run_within_limit(const std::function<void()>& work) {

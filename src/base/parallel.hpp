@@ -77,7 +77,7 @@ class WatchedLoops {
   void check() const { stops_ == Stops::kHeeded ? monitor_.check_stop() : monitor_.check(); }
 
   /// Tells the monitor's listener, which hears only the thread that made this object.
-  void tell(Phase phase, double share) const;
+  void tell(Phase phase, double share, std::size_t fitted) const;
 
   std::size_t max_memory_bytes() const { return max_memory_bytes_; }
 
@@ -93,9 +93,13 @@ class WatchedLoops {
 /// parallel.
 void check_watched();
 
+/// Of a phase of which it is not known how much is done.
+inline constexpr double kUnknownShare = -1;
+
 /// Tells the monitor of this thread's innermost WatchedLoops, if there is one, which share of a phase is
-/// done. Without effect on threads that only help with a loop.
-void tell_watched(Phase phase, double share);
+/// done, and in fitting of how many hexahedra (Progress::fitted). Without effect on threads that only help
+/// with a loop.
+void tell_watched(Phase phase, double share, std::size_t fitted = 0);
 
 /// Returns the limit of memory of this thread's innermost WatchedLoops; 0 if there is none.
 std::size_t watched_memory_bytes();

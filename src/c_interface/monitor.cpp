@@ -24,6 +24,7 @@ crossgrain_progress passed_on(const Progress& progress) {
   result.most_tets = progress.most_tets;
   result.hexahedra = progress.hexahedra;
   result.outcome = static_cast<crossgrain_hex_outcome>(progress.outcome);
+  result.fitted = progress.fitted;
   return result;
 }
 

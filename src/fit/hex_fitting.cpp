@@ -60,11 +60,6 @@ void add_along(SymmetricMatrix3& sum, double weight, const Vector3& direction) {
     for (std::size_t j = i; j < 3; ++j) sum[entry++] += weight * direction[i] * direction[j];
 }
 
-/// Tells that `done` of `all` steps of one of four parts are done.
-void tell_part(int part, int done, int all) {
-  tell_watched(Phase::kSmooth, 0.25 * (part + static_cast<double>(done) / all));
-}
-
 /// Each sample has at least half of the squared spacing.
 double sample_spacing(const FeatureComplex& complex, std::size_t quads, double size) {
   double area = 0;
@@ -89,6 +84,7 @@ class HexFitting {
   HexFittingResult run();
 
  private:
+  void tell_part(int part, int done, int all) const;
   void pull_to_places(double weight);
   void pull_to_nearest(double weight);
   void round(int number);
@@ -108,6 +104,12 @@ class HexFitting {
   FittingPulls pulls_;
   std::vector<double> trust_;  ///< of each vertex: the share of its pulls that hexahedra around it stand
 };
+
+/// Tells that `done` of `all` steps of one of four parts are done.
+void HexFitting::tell_part(int part, int done, int all) const {
+  const double share = 0.25 * (part + static_cast<double>(done) / all);
+  tell_watched(Phase::kSmooth, share, mesh_.hexahedra.size());
+}
 
 std::size_t HexFitting::count_invalid() const {
   const std::vector<std::uint8_t> inverted = inverted_hexahedra(mesh_);

@@ -23,9 +23,6 @@ constexpr double kRepairShare = 0.04;
 /// Faults wander (RepairTuning::wanderings) in tries with no more than so many, if none has a map.
 constexpr std::size_t kWanderingFaults = 6;
 
-/// Of repairs that are completed: most of their time is past.
-constexpr double kUnknownShare = -1;
-
 double work_of(const std::vector<RepairTry>& tries) {
   double work = 0;
   for (const RepairTry& one : tries) work += static_cast<double>(one.tets.work);
