@@ -52,10 +52,12 @@ std::string fault_of_number(const std::string& text, const NumberRange& range) {
   double value = 0;
   const bool is_number = parse_number(text, value);
   const bool is_whole = is_number && value == std::floor(value);
-  if (is_number && value >= range.low && value <= range.high && (is_whole || !range.is_whole)) return "";
+  const bool has_digits_only = text.find_first_not_of("+-0123456789") == std::string::npos;
+  const bool is_of_kind = !range.is_whole || (is_whole && has_digits_only);
+  if (is_number && value >= range.low && value <= range.high && is_of_kind) return "";
   if (is_whole && range.is_open && value > range.high)
     return fault_of(fmt::format("at most {:.12g}", range.high), text);
-  const char* const kind = range.is_whole && !is_whole ? "a whole number, " : "";
+  const char* const kind = is_of_kind ? "" : "a whole number, ";
   return fault_of(range.is_open ? fmt::format("{}{:.12g} or more", kind, range.low)
                                 : fmt::format("{}{:.12g} to {:.12g}", kind, range.low, range.high),
                   text);

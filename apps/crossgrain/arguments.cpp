@@ -106,6 +106,9 @@ void check_hex(SolveArguments& arguments, const CLI::App* command) {
     refuse("MODEL is a tet mesh, which --tet-size is not for; give a surface or a CAD file", command);
   check_model(arguments, arguments.glue, command, "the folder of -o", ".hexahedra");
   refuse_file_name(arguments.output, "the mesh in hexahedra.inp, .mesh, .msh and .vtu", command);
+  for (const std::string option : {"--tet-size", "--seed"})
+    if (arguments.lattice && command->count(option) > 0)
+      refuse(option + " is for maps, which --lattice makes none of; leave one of them out", command);
   if (arguments.lattice && !arguments.output_options.formats.empty())
     refuse("--write is for fields and maps, which --lattice makes none of; leave one of them out", command);
   arguments.makes_tets = !is_tet_file(arguments.model);

@@ -23,6 +23,14 @@ constexpr const char* kExitCodesOfProcesses =
 
 constexpr const char* kVersionHelp = "Print the version and what this build can do, and exit";
 
+/// Flags take no values, but for the form of --progress: CLI11 takes those that look like a truth.
+void refuse_values_of_flags(CLI::App& app) {
+  for (CLI::App* const command : app.get_subcommands({}))
+    for (CLI::Option* const option : command->get_options())
+      if (option->get_items_expected_max() == 0 && !option->check_lname("progress"))
+        option->disable_flag_override();
+}
+
 }  // namespace
 
 CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgrain") {
@@ -44,6 +52,7 @@ CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgra
   help_command->add_option("COMMAND", explained, "The command (default: the program itself)");
   add_examples(*help_command, "crossgrain help\ncrossgrain help hex", "0 done; 2 no such command");
   app.footer(kExitCodes);
+  refuse_values_of_flags(app);
 }
 
 CommandLineOfProcesses::CommandLineOfProcesses()
@@ -66,6 +75,7 @@ CommandLineOfProcesses::CommandLineOfProcesses()
                "mpirun -n 4 crossgrain-mpi solve part.step --checkpoint kept   # to go on after a break",
                kExitCodesOfProcesses);
   app.footer(kExitCodesOfProcesses);
+  refuse_values_of_flags(app);
 }
 
 }  // namespace crossgrain::app

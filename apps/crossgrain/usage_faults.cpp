@@ -56,19 +56,24 @@ std::string surplus_word(const std::string& word, const CLI::App& command) {
 }
 
 std::string surplus(const CLI::App& command) {
-  const std::vector<std::string> words = command.remaining();
+  std::vector<std::string> words = command.remaining();
+  const auto mark = std::ranges::find(words, "--");  // no options follow
+  const auto option = std::find_if(words.begin(), mark, is_option);
+  if (option != mark) return unknown_option(*option, command);
+  std::erase(words, "--");
   if (words.empty()) {
     // CLI11 keeps words before the command with the program.
     const std::vector<std::string> early = command.get_parent()->remaining();
     return fmt::format("'{}' is before the command; give {} first", early.front(), command.get_name());
   }
-  const auto option = std::ranges::find_if(words, is_option);
-  return option != words.end() ? unknown_option(*option, command) : surplus_word(words.front(), command);
+  return surplus_word(words.front(), command);
 }
 
 /// A number of values that an option does not take; `text` begins with its name.
 std::string wrong_count(const std::string& text, const CLI::App& command) {
   const std::string name = text.substr(0, text.find(':'));
+  if (const std::size_t end = text.find(" was given a disallowed flag override"); end != text.npos)
+    return fmt::format("--{} takes no value", text.substr(0, end));
   const CLI::Option* const option = command.get_option_no_throw(name);
   if (option != nullptr && option->count() > 1) return name + " is given more than once";
   const auto options = describe_command(command).options;

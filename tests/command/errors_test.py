@@ -61,7 +61,10 @@ class WrongUsage(CommandTest):
         self.refuse(["hex", "a.stl", "--size"], "--size needs a value: X")
         self.refuse(["solve", "a.stl", "--degree"], "--degree needs a value: 3|4")
         self.refuse(["hex", "a.stl", "--size", "1", "--size", "2"], "--size is given more than once")
-        self.refuse(["hex", "a.stl", "--quiet=no-word"], "--quiet takes no value")
+        for flag in ("--quiet=no-word", "--lattice=5", "--lattice=false"):
+            self.refuse(["hex", "a.stl", flag], flag.split("=")[0] + " takes no value")
+        self.refuse(["hex", "a.stl", "--threads", "1e3"], "--threads takes a whole number, 0 or more, not 1e3")
+        self.refuse(["hex", "--", "a.stl", "-b.stl"], "hex takes one MODEL; '-b.stl' is one too many")
 
     def test_help_of_a_command_is_the_same_either_way(self):
         for command, its_name in ((["check"], "Usage: crossgrain check "), ([], "Usage: crossgrain [OPTIONS]")):
