@@ -109,7 +109,9 @@ Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& na
   lattice.slanted_share = slanted_share(along);
   const LatticePlanes planes = lattice_planes(along, size, of_narrow);
   require_memory_of(planes);
-  const KeptCells kept = kept_cells(volume_shares(along, planes), planes);
+  const std::size_t bodies =
+      std::max<std::size_t>(1, count_bodies(along.mesh.triangles, along.mesh.vertices));
+  const KeptCells kept = kept_cells(volume_shares(along, planes), planes, bodies);
   lattice.toggled = kept.toggled;
   lattice.mesh = mesh_of(kept, planes);
   for (Vector3& p : lattice.mesh.vertices) p = rotate(lattice.axes, p);

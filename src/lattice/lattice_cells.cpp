@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "base/parallel.hpp"
 
@@ -35,8 +36,11 @@ bool is_manifold_at(unsigned mask) {
 
 class Repair {
  public:
-  Repair(const std::vector<float>& shares, const LatticePlanes& planes, KeptCells& kept)
-      : shares_(shares), counts_{planes.cells(0), planes.cells(1), planes.cells(2)}, kept_(kept) {}
+  Repair(const std::vector<float>& shares, const LatticePlanes& planes, std::size_t bodies, KeptCells& kept)
+      : shares_(shares),
+        counts_{planes.cells(0), planes.cells(1), planes.cells(2)},
+        bodies_(bodies),
+        kept_(kept) {}
 
   void run() {
     // Few are left after ten; what is not mended then goes round in circles.
@@ -114,7 +118,10 @@ class Repair {
         const auto body = static_cast<std::uint32_t>(sizes.size());
         sizes.push_back(flood(cell, body, body_of));
       }
-    const double least = kLeastBody * static_cast<double>(*std::ranges::max_element(sizes));
+    std::vector<std::size_t> largest = sizes;
+    std::ranges::sort(largest, std::greater());
+    const double least = std::min(kLeastBody * static_cast<double>(largest.front()),
+                                  static_cast<double>(largest[std::min(bodies_, sizes.size()) - 1]));
     for (std::size_t cell = 0; cell < shares_.size(); ++cell)
       if (kept_.is_kept[cell] && static_cast<double>(sizes[body_of[cell]]) < least) kept_.is_kept[cell] = 0;
   }
@@ -144,16 +151,17 @@ class Repair {
 
   const std::vector<float>& shares_;
   const std::array<std::size_t, 3> counts_;
+  const std::size_t bodies_;
   KeptCells& kept_;
 };
 
 }  // namespace
 
-KeptCells kept_cells(const std::vector<float>& shares, const LatticePlanes& planes) {
+KeptCells kept_cells(const std::vector<float>& shares, const LatticePlanes& planes, std::size_t bodies) {
   KeptCells kept;
   kept.is_kept.resize(shares.size());
   for (std::size_t cell = 0; cell < shares.size(); ++cell) kept.is_kept[cell] = shares[cell] >= kKeptShare;
-  Repair(shares, planes, kept).run();
+  Repair(shares, planes, bodies, kept).run();
   return kept;
 }
 

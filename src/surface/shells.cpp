@@ -6,6 +6,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
+#include "base/vector3.hpp"
 #include "surface/edge_uses.hpp"
 
 namespace crossgrain {
@@ -49,6 +50,22 @@ std::vector<int> euler_numbers_of_shells(std::span<const std::array<std::uint32_
     if (shells.root(t) == t && !is_collapsed(triangles[t])) numbers.push_back(doubled[t] / 2);
   std::ranges::sort(numbers);
   return numbers;
+}
+
+std::size_t count_bodies(std::span<const std::array<std::uint32_t, 3>> triangles,
+                         std::span<const Vector3> vertices) {
+  DisjointSets shells(triangles.size());
+  for_each_edge(sorted_edge_uses(triangles), [&](std::span<const EdgeUse> edge) {
+    for (const EdgeUse& use : edge) shells.join(edge[0].triangle, use.triangle);
+  });
+  std::vector<double> volumes(triangles.size(), 0);  // by the shell's root, of tets with a point of it
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const std::uint32_t root = shells.root(t);
+    const Vector3& apex = vertices[triangles[root][0]];
+    const auto& [a, b, c] = triangles[t];
+    volumes[root] += dot(vertices[a] - apex, cross(vertices[b] - apex, vertices[c] - apex));
+  }
+  return static_cast<std::size_t>(std::ranges::count_if(volumes, [](double volume) { return volume > 0; }));
 }
 
 }  // namespace crossgrain

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "crossgrain/types.hpp"
 
 namespace crossgrain {
 
@@ -14,5 +17,10 @@ namespace crossgrain {
 /// counts once for each fan. Empty if the triangles do not close up: if an edge has not just two.
 /// Triangles with a repeated vertex do not count.
 std::vector<int> euler_numbers_of_shells(std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// Returns the number of bodies that a closed surface bounds: of its shells whose triangles enclose them and
+/// not a void, as their order of corners says.
+std::size_t count_bodies(std::span<const std::array<std::uint32_t, 3>> triangles,
+                         std::span<const Vector3> vertices);
 
 }  // namespace crossgrain

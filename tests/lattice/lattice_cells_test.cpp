@@ -48,7 +48,7 @@ TEST(LatticeCells, AreThoseWithHalfOfTheirVolumeInside) {
   for (std::size_t i = 1; i < 5; ++i)
     for (std::size_t j = 1; j < 5; ++j)
       for (std::size_t k = 1; k < 5; ++k) box.at(i, j, k) = i == 4 ? 0.49F : i == 1 ? 0.5F : 1;
-  const KeptCells kept = kept_cells(box.shares, cube_planes(6));
+  const KeptCells kept = kept_cells(box.shares, cube_planes(6), 1);
   EXPECT_EQ(std::ranges::count(kept.is_kept, 1), 3 * 16);
   EXPECT_EQ(kept.toggled, 0u);
   EXPECT_EQ(kept.faults, 0u);
@@ -64,7 +64,7 @@ TEST(LatticeCells, TouchingInAnEdgeOrAVertexAreSeparatedOrJoined) {
     };
     fill(1, 1, 1);
     fill(4, 4, in_edge ? 1 : 4);
-    const KeptCells kept = kept_cells(box.shares, cube_planes(8));
+    const KeptCells kept = kept_cells(box.shares, cube_planes(8), 1);
     EXPECT_EQ(kept.faults, 0u);
     EXPECT_GT(kept.toggled, 0u);
   }
@@ -79,7 +79,7 @@ TEST(LatticeCells, AreManifoldWhateverTheShares) {
     for (std::size_t i = 1; i + 1 < kCells; ++i)
       for (std::size_t j = 1; j + 1 < kCells; ++j)
         for (std::size_t k = 1; k + 1 < kCells; ++k) box.at(i, j, k) = any(random);
-    const KeptCells kept = kept_cells(box.shares, cube_planes(kCells));
+    const KeptCells kept = kept_cells(box.shares, cube_planes(kCells), 1);
     if (kept.faults > 0) continue;
     for (std::size_t i = 1; i < kCells; ++i)
       for (std::size_t j = 1; j < kCells; ++j)
@@ -100,8 +100,10 @@ TEST(LatticeCells, AreNoCrumbs) {
     for (std::size_t j = 1; j < 8; ++j)
       for (std::size_t k = 1; k < 8; ++k) box.at(i, j, k) = 1;
   box.at(10, 10, 10) = 0.6F;
-  const KeptCells kept = kept_cells(box.shares, cube_planes(12));
+  const KeptCells kept = kept_cells(box.shares, cube_planes(12), 1);
   EXPECT_EQ(std::ranges::count(kept.is_kept, 1), 7 * 7 * 7);
+  const KeptCells of_two_bodies = kept_cells(box.shares, cube_planes(12), 2);
+  EXPECT_EQ(std::ranges::count(of_two_bodies.is_kept, 1), 7 * 7 * 7 + 1);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -36,6 +38,17 @@ TEST(EulerNumbersOfShells, AreNoneOfWhatDoesNotCloseUp) {
   mesh.triangles.pop_back();
   EXPECT_TRUE(euler_numbers_of_shells(mesh.triangles).empty());
   EXPECT_TRUE(euler_numbers_of_shells({}).empty());
+}
+
+TEST(CountBodies, CountsNoVoids) {
+  TriangleMesh hollow = make_sphere(1, 2), core = make_sphere(0.3, 2);
+  TriangleMesh wall = make_sphere(0.6, 2);
+  for (auto& [a, b, c] : wall.triangles) std::swap(b, c);
+  const TriangleMesh with_void = together(hollow, wall);
+  EXPECT_EQ(count_bodies(with_void.triangles, with_void.vertices), 1U);
+  const TriangleMesh with_core = together(with_void, core);
+  EXPECT_EQ(count_bodies(with_core.triangles, with_core.vertices), 2U);
+  EXPECT_EQ(count_bodies({}, {}), 0U);
 }
 
 TEST(EulerNumbersOfShells, DoNotCountTrianglesWithARepeatedVertex) {
