@@ -87,7 +87,6 @@ enum class Remedy : int {
   kGiveHexSize,  ///< another HexOptions::size; with a number
   kUseHexSize,   ///< HexOptions::size; with a number
   kTakeLargerHexahedra,
-  kTakeSmallerHexahedra,
   kTakeFewerHexahedra,  ///< larger ones, or allow them more memory
 
   // Options.

@@ -81,7 +81,6 @@ constexpr Wording kWordings[] = {
     {Remedy::kGiveHexSize, "give_hex_size", "give another size of hexahedra"},
     {Remedy::kUseHexSize, "use_hex_size", "use hexahedra of another size"},
     {Remedy::kTakeLargerHexahedra, "take_larger_hexahedra", "take larger hexahedra"},
-    {Remedy::kTakeSmallerHexahedra, "take_smaller_hexahedra", "take smaller hexahedra"},
     {Remedy::kTakeFewerHexahedra, "take_fewer_hexahedra", "take larger hexahedra, or allow more memory"},
     {Remedy::kRaiseResolution, "raise_resolution", "raise the resolution, or take smaller cells"},
     {Remedy::kLowerResolution, "lower_resolution", "lower the resolution, or take larger cells"},

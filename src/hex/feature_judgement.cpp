@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hex/hex_report.hpp"
 #include "hex/model_fit.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "surface/model_faces.hpp"
@@ -108,7 +109,7 @@ void judge_features(const HexMesh& mesh, HexReport& report) {
   if (std::string reason = topology_of(features); !reason.empty()) {
     report.outcome = HexOutcome::kPartial;
     report.reason = std::move(reason);
-    report.remedy = Remedy::kTakeSmallerHexahedra;
+    advise_smaller(report);
     return;
   }
   const std::optional<double> size = size_for_volume(report, mesh.boundary.size());
@@ -124,7 +125,7 @@ void judge_features(const HexMesh& mesh, HexReport& report) {
     report.remedy = Remedy::kUseHexSize;
     report.remedy_number = *size;
   } else if (std::ranges::any_of(features.lacking, is_of_surface)) {
-    report.remedy = Remedy::kTakeSmallerHexahedra;
+    advise_smaller(report);
   }
 }
 

@@ -212,13 +212,18 @@ void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport
   measure_fit(mesh, model, fit_to, report);
 }
 
+void advise_smaller(HexReport& report) {
+  report.remedy = Remedy::kUseHexSize;
+  report.remedy_number = next_smaller_size(report.used_size);
+}
+
 void explain_shapes(double least_quality, HexReport& report) {
   if (report.quality.least >= least_quality) return;
   report.reason += fmt::format("{}badly shaped (worst scaled Jacobian {:.2g} at {})",
-                               report.reason.empty() ? "" : ", and ", report.quality.least,
+                               report.reason.empty() ? "" : "; it is ", report.quality.least,
                                words_of_place(report.quality.worst_place));
   report.places.insert(report.places.begin(), report.quality.worst_place);
-  if (report.remedy == Remedy::kNone) report.remedy = Remedy::kTakeSmallerHexahedra;
+  if (report.remedy == Remedy::kNone) advise_smaller(report);
 }
 
 void explain(const HexCandidate& best, HexReport& report) {
@@ -228,7 +233,8 @@ void explain(const HexCandidate& best, HexReport& report) {
   report.places = shown_places(why);
   report.reason = why.reason + words_of_places(report.places, best, !why.has_faces);
   report.detail = why.detail;
-  report.remedy = why.remedy == Remedy::kNone ? Remedy::kTakeSmallerHexahedra : why.remedy;
+  report.remedy = why.remedy;
+  if (report.remedy == Remedy::kNone) advise_smaller(report);
 }
 
 EndWords end_of(const HexCandidate& candidate, double least_quality) {

@@ -26,6 +26,9 @@ Warning ended_at(const Error& limit);
 /// scaled Jacobians, valences. The mesh has its boundary.
 void measure(const HexMesh& mesh, const TetSolid& model, FitTo fit_to, HexReport& report);
 
+/// Tells to try the next smaller size than the one that was used.
+void advise_smaller(HexReport& report);
+
 /// Fills in the reason why a result is not whole, the places and what to try, unless it is. The report has
 /// its outcome and quality.
 void explain(const HexCandidate& best, HexReport& report);

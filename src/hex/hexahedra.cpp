@@ -32,12 +32,14 @@
 namespace crossgrain {
 namespace {
 
-/// One size for all that is too coarse, with its forecast: that for the volume, and for faces without quads
-/// where it is not much less. Half of a size makes eight times as many hexahedra.
+/// One size for all that is too coarse, with its forecast: below those that were tried, and for faces without
+/// quads where it is not much less. Half of a size makes eight times as many hexahedra.
 void choose_size(const std::vector<ModelFace>& faces, const TetSolid& solid, HexReport& report) {
   constexpr double kLeastOfSize = 0.5;
   if (report.remedy != Remedy::kUseHexSize) return;
   double& size = report.remedy_number;
+  for (const HexAttempt& attempt : report.attempts)
+    if (attempt.size > 0) size = std::min(size, next_smaller_size(attempt.size));
   if (const auto other = size_for_faces(faces, solid, report); other && *other >= kLeastOfSize * size)
     size = std::min(size, *other);
   report.remedy_hexahedra = hexahedra_in(solid, size);
@@ -147,7 +149,7 @@ Hexahedra best_lattice(const AttemptQueue& queue) {
   report.expected = queue.expected_hexahedra();
   report.is_stopped |= queue.is_stopped();
   record_attempts(queue, report);
-  choose_remedy_of_lattices(report);
+  choose_remedy_of_lattices(report, best.lattice->has_joined);
   const HexCandidate* const map = best_map(queue);
   if (map && map->made && map->made->are_complete())
     report.map_fault =
@@ -218,10 +220,10 @@ Hexahedra best_of_maps(const AttemptQueue& queue) {
   judge_interfaces(whole, report);
   mesh.is_partial = is_partial(report.outcome);
   count_quads(mesh, whole.faces);
+  record_attempts(queue, report);
   choose_size(whole.faces, followed.solid(), report);
   const bool is_up_to_solids = is_partial(report.outcome) && best.made->are_complete();
   if (end.is_stopped && !is_up_to_solids) report.remedy = Remedy::kLetFinish;
-  record_attempts(queue, report);
   report.is_stopped = end.is_stopped;
   report.analysis_seconds = stopwatch.restart();
   warn_of_fit(followed.solid(), best.made->fills, report, whole);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -25,6 +26,10 @@
 #include "hex/lattice_faults.hpp"
 #include "lattice/holes.hpp"
 #include "lattice/lattice.hpp"
+#include "surface/findings.hpp"
+#include "surface/mending.hpp"
+#include "surface/searchable_surface.hpp"
+#include "surface/self_intersections.hpp"
 #include "surface/shells.hpp"
 
 namespace crossgrain {
@@ -98,7 +103,7 @@ bool LatticeSearch::prepare() {
       next_coarse();
       continue;
     }
-    const bool is_alike = lattice.shells == shells_;
+    const bool is_alike = lattice.shells == shells_ || (!lattice.mesh.hexahedra.empty() && touches_itself());
     prepared_ = std::make_unique<Prepared>(
         Prepared{std::move(lattice), size, is_alike, !fine_.empty(), stopwatch.restart()});
   }
@@ -159,6 +164,7 @@ LatticeSearch::Trial LatticeSearch::fitted(Prepared& prepared) {
   made.report = fit_to_model(model_, prepared.size, FitWays::kLayersOnly, monitor_, made.mesh, made.warnings);
   made.report.size = asked_size_;
   made.report.expected = expected_;
+  made.has_joined = made.report.outcome != HexOutcome::kAllHex && touches_itself_.value_or(false);
   attempt.outcome = made.report.outcome;
   attempt.hexahedra = made.report.hexahedra;
   attempt.seconds += stopwatch.restart();
@@ -167,13 +173,14 @@ LatticeSearch::Trial LatticeSearch::fitted(Prepared& prepared) {
   Trial trial{attempt, text_of(made.report), {}};
   if (best_ && !(flaws_of(made.report) < flaws_of(*best_))) return trial;
   best_ = made.report;
+  has_joined_ = made.has_joined;
   trial.better = std::move(made);
   return trial;
 }
 
 /// Goes on with a smaller size everywhere.
 void LatticeSearch::next_coarse() {
-  next_size_ *= kSmallerLattice;
+  next_size_ *= kSmallerSize;
   fine_.clear();
   refinements_ = 0;
 }
@@ -196,13 +203,28 @@ bool LatticeSearch::may_take(double size) const {
 }
 
 bool LatticeSearch::is_done() const {
-  return best_ && (is_good(*best_) || best_->is_stopped);
+  return best_ && (is_good(*best_) || best_->is_stopped || has_joined_);
+}
+
+/// Where it does, no hexahedra have its topology.
+bool LatticeSearch::touches_itself() {
+  if (touches_itself_) return *touches_itself_;
+  const WatchedLoops watched(monitor_, Stops::kHeeded);
+  const SearchableSurface searchable(mend_surface(CheckedMesh::derived(surface_.mesh)));
+  SurfaceFindings findings = searchable.mended().findings;
+  find_self_intersections(searchable.mended(), searchable.bvh(), searchable.winding(), findings);
+  constexpr std::array kKinds{FindingKind::kTouchingComponents, FindingKind::kOverlappingComponents,
+                              FindingKind::kSelfIntersection, FindingKind::kNonmanifoldEdge};
+  touches_itself_ =
+      std::ranges::any_of(kKinds, [&](FindingKind kind) { return find(findings, kind) != nullptr; });
+  return *touches_itself_;
 }
 
 /// With planes at narrow features only where it has another topology without them: at walls; at holes too;
 /// and around these.
 Lattice LatticeSearch::lattice_at(double size) const {
   const WatchedLoops watched(monitor_, Stops::kHeeded);
+  tell_watched(Phase::kHexahedra, kUnknownShare);
   NarrowFeatures narrow{.fine = fine_, .lines = lines_};
   Lattice lattice = lattice_of(surface_, size, narrow);
   const auto try_narrow = [&] {
@@ -234,9 +256,13 @@ Surface outer_surface(const FeatureComplex& features) {
   return prepare_surface(CheckedMesh::derived(std::move(mesh)));
 }
 
-void choose_remedy_of_lattices(HexReport& report) {
+void choose_remedy_of_lattices(HexReport& report, bool has_joined) {
   if (report.is_stopped) {
     if (!is_good(report)) report.remedy = Remedy::kLetFinish;
+    return;
+  }
+  if (has_joined) {
+    report.remedy = Remedy::kNone;
     return;
   }
   double last_size = 0;
@@ -246,11 +272,11 @@ void choose_remedy_of_lattices(HexReport& report) {
     last_size = attempt.size;
     ++lattices;
   }
-  if (report.outcome == HexOutcome::kAllHex) {
-    if (lattices > 1) report.remedy = Remedy::kNone;
+  if (report.outcome == HexOutcome::kAllHex && (lattices > 1 || report.remedy == Remedy::kNone)) {
+    report.remedy = Remedy::kNone;
     return;
   }
-  const double next = rounded_down(kSmallerLattice * last_size, 2);
+  const double next = next_smaller_size(last_size);
   const bool has_size = report.remedy == Remedy::kUseHexSize && report.remedy_number > 0;
   report.remedy_number = has_size ? std::min(next, report.remedy_number) : next;
   report.remedy = Remedy::kUseHexSize;

@@ -25,14 +25,16 @@ struct LatticeHexahedra {
   HexMesh mesh;  ///< with boundary and tags
   HexReport report;
   std::vector<Warning> warnings;
+  bool has_joined = false;  ///< parts of the surface that touch or overlap, which no size separates
 };
 
 /// Hexahedra that fill a model: cells of lattices (lattice_of), fitted to its features. Where something is
 /// lacking, the planes are made finer there (places_to_refine), kMostRefinements times; then smaller sizes
-/// follow (kSmallerLattice), until all is kept with good shapes, or their cells would be more than
+/// follow (kSmallerSize), until all is kept with good shapes, or their cells would be more than
 /// kMostOfLattice times those of the size; lattices of another topology than the model are left out if there
-/// is one of the same. Of two, all-hex is better; then the one that lacks less; then the better shaped, by
-/// classes and then by the number of poor ones; then the one with fewer hexahedra.
+/// is one of the same. Where the surface touches or crosses itself, its topology is none that hexahedra can
+/// have: the first lattice is the last. Of two, all-hex is better; then the one that lacks less; then the
+/// better shaped, by classes and then by the number of poor ones; then the one with fewer hexahedra.
 class LatticeSearch {
  public:
   /// Model and monitor must outlive it. `size` is about that of the hexahedra.
@@ -69,12 +71,14 @@ class LatticeSearch {
   void next_coarse();
   void choose_next(const LatticeHexahedra& last);
   bool may_take(double size) const;
+  bool touches_itself();
   bool is_done() const;
   Lattice lattice_at(double size) const;
   void require_memory_to_fit(const Lattice& lattice) const;
 
   const FittingModel& model_;
   const Surface surface_;
+  std::optional<bool> touches_itself_;  ///< once it is known
   const std::vector<int> shells_;
   const std::vector<std::vector<Vector3>> holes_, lines_;
   const Monitor& monitor_;
@@ -88,15 +92,13 @@ class LatticeSearch {
   std::unique_ptr<Prepared> prepared_;
   std::unique_ptr<Prepared> other_;  ///< the last of another topology, fitted only where there is no other
   std::optional<HexReport> best_;
+  bool has_joined_ = false;  ///< the best
 };
 
 /// Sets what may help of what the best of lattices lacks: the size that would come next, or a smaller one
-/// that is known to; where only shapes are bad, none, since smaller ones were no help. The report has all
-/// attempts.
-void choose_remedy_of_lattices(HexReport& report);
-
-/// Each lattice's size, as a share of the one before.
-inline constexpr double kSmallerLattice = 0.7;
+/// that is known to; none where only shapes are bad, since smaller ones were no help, and where it has joined
+/// parts of the model. The report has all attempts.
+void choose_remedy_of_lattices(HexReport& report, bool has_joined);
 
 /// How often a lattice is made again with planes nearer to each other where the last one fails.
 inline constexpr int kMostRefinements = 2;

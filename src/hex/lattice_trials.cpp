@@ -17,7 +17,10 @@ class LatticeTrials {
  public:
   LatticeTrials(const FittingModel& model, double size, const Monitor& monitor,
                 const LatticeListeners& listeners)
-      : search_(model, size, monitor), monitor_(monitor), listeners_(listeners) {}
+      : monitor_(monitor),
+        of_attempt_(monitor, [this](Progress& progress) { tell_more(progress); }),
+        search_(model, size, of_attempt_),
+        listeners_(listeners) {}
 
   LatticeHexahedra run() {
     try {
@@ -34,16 +37,23 @@ class LatticeTrials {
       end_early(error);
     }
     if (!best_)
-      throw Error(ErrorKind::kInput, "no cell of a lattice is inside the model",
-                  Remedy::kTakeSmallerHexahedra);
+      throw Error(ErrorKind::kInput, {"", "", "no cell of a lattice is inside the model", Remedy::kUseHexSize,
+                                      next_smaller_size(attempts_.back().size)});
     best_->report.attempts = std::move(attempts_);
     best_->report.best_attempt = best_attempt_;
     best_->report.expected = expected_;
-    choose_remedy_of_lattices(best_->report);
+    choose_remedy_of_lattices(best_->report, best_->has_joined);
     return *std::move(best_);
   }
 
  private:
+  void tell_more(Progress& progress) const {
+    progress.attempt = attempts_.size() + 1;
+    if (!best_) return;
+    progress.hexahedra = best_->mesh.hexahedra.size();
+    progress.outcome = best_->report.outcome;
+  }
+
   /// Tells of the end of a trial with what follows, even if that fails.
   bool prepare_after(LatticeSearch::Trial& trial) {
     HexAttemptEnd end;
@@ -78,8 +88,9 @@ class LatticeTrials {
       best_->warnings.push_back(ended_at(error));
   }
 
-  LatticeSearch search_;
   const Monitor& monitor_;
+  const Monitor of_attempt_;
+  LatticeSearch search_;
   const LatticeListeners& listeners_;
   std::vector<HexAttempt> attempts_;
   std::optional<LatticeHexahedra> best_;

@@ -158,12 +158,17 @@ std::string words_of_size_across(double size, const TetSolid& tets, const HexRep
   return words + fmt::format(" ({}), but finer ones may have no mesh", about(count));
 }
 
-/// Which size would miss half of the volume that is noticed: it falls with the square.
-std::string words_of_finer(const HexReport& report, double missed) {
-  if (report.outcome != HexOutcome::kAllHex) return "";
-  const double size =
-      rounded_down(std::min(report.size, report.used_size) * std::sqrt(0.5 * kNoticedVolume / missed), 2);
-  return fmt::format(", those of {:g} about {:g} %", size, 100 * 0.5 * kNoticedVolume);
+/// The size that would miss half of the volume that is noticed: it falls with the square.
+double finer_size(const HexReport& report, double missed) {
+  return rounded_down(std::min(report.size, report.used_size) * std::sqrt(0.5 * kNoticedVolume / missed), 2);
+}
+
+/// With the size to be tried, unless the report has one.
+Warning advising(double size, Warning warning, const HexReport& report) {
+  if (report.remedy == Remedy::kUseHexSize) return warning;
+  warning.remedy = Remedy::kUseHexSize;
+  warning.remedy_number = size;
+  return warning;
 }
 
 double volume_missed(const HexReport& report) {
@@ -171,6 +176,10 @@ double volume_missed(const HexReport& report) {
 }
 
 }  // namespace
+
+double next_smaller_size(double size) {
+  return rounded_down(kSmallerSize * size, 2);
+}
 
 TriangleMesh surface_triangles(const HexMesh& mesh) {
   TriangleMesh triangles;
@@ -266,10 +275,10 @@ std::optional<Warning> faces_off(const std::vector<ModelFace>& faces, const HexR
                                 words_of_place(face.centre, std::cbrt(report.model_volume))));
   }
   if (off.size() > kMostNamed) named.push_back(fmt::format("and {} more", off.size() - kMostNamed));
-  return Warning(WarningKind::kFacesOff,
-                 fmt::format("the mesh moves the smooth border of {}, and so changes the area: {}",
-                             counted(off.size(), noun.one, noun.several), fmt::join(named, "; ")),
-                 Remedy::kTakeSmallerHexahedra);
+  std::string text = fmt::format("the mesh moves the smooth border of {}, and so changes the area: {}",
+                                 counted(off.size(), noun.one, noun.several), fmt::join(named, "; "));
+  return advising(next_smaller_size(report.used_size), Warning(WarningKind::kFacesOff, std::move(text)),
+                  report);
 }
 
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
@@ -326,20 +335,27 @@ std::optional<Warning> poor_fit(const HexReport& report) {
   const bool is_off = report.largest_distance > report.largest_distance_of_model;
   const double distance = is_off ? report.largest_distance : report.largest_distance_of_model;
   const Vector3& at = is_off ? report.largest_distance_place : report.largest_distance_of_model_place;
+  const bool is_whole = report.outcome == HexOutcome::kAllHex;
   std::vector<std::string> faults;
+  double size = next_smaller_size(report.used_size);
   const bool is_said = !is_partial(report.outcome) && std::abs(missed) > kPoorVolume;
-  if (std::abs(missed) > kNoticedVolume && !is_said)
-    faults.push_back(fmt::format("have {:.2g} % {} volume than the model{}", 100 * std::abs(missed),
-                                 missed < 0 ? "less" : "more", words_of_finer(report, std::abs(missed))));
+  if (std::abs(missed) > kNoticedVolume && !is_said) {
+    std::string fault = fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
+                                    missed < 0 ? "less" : "more");
+    if (is_whole) {
+      size = finer_size(report, std::abs(missed));
+      fault += fmt::format(", those of {:g} about {:g} %", size, 100 * 0.5 * kNoticedVolume);
+    }
+    faults.push_back(std::move(fault));
+  }
   if (distance > kPoorDistance * report.used_size && report.outcome != HexOutcome::kApproximate)
     faults.push_back(fmt::format("{} by up to {:.2g}, at {}, which is {:.2g} of their size",
                                  is_off ? "are off the model's surface" : "miss parts of the model's surface",
                                  distance, words_of_place(at, std::cbrt(report.model_volume)),
                                  distance / report.used_size));
   if (faults.empty()) return std::nullopt;
-  const bool is_whole = report.outcome == HexOutcome::kAllHex;
-  return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")),
-                 is_whole ? Remedy::kTakeSmallerHexahedra : Remedy::kNone);
+  Warning warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")));
+  return is_whole ? advising(size, std::move(warning), report) : warning;
 }
 
 }  // namespace crossgrain

@@ -34,6 +34,14 @@ std::vector<Vector3> points_on(const std::vector<Vector3>& vertices,
 /// touch or overlap too.
 enum class FitTo { kCommonSurface, kEachSolid };
 
+/// Sizes that follow each other, of lattices and in advice: each as a share of the one before. Half of a size
+/// makes eight times as many hexahedra.
+inline constexpr double kSmallerSize = 0.7;
+
+/// Returns the size to be tried where hexahedra of a size are too coarse: two digits, not above kSmallerSize
+/// of it.
+double next_smaller_size(double size);
+
 /// Fills in volumes, areas and distances: to the model that the tets were made of (TetMesh::given), if there
 /// is one that knows these surfaces, otherwise to the tets.
 void measure_fit(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to, HexReport& report);

@@ -7,15 +7,13 @@
 #include "hex/candidate_fitting.hpp"
 #include "hex/field_mapping.hpp"
 #include "hex/hex_making.hpp"
+#include "hex/model_fit.hpp"
 
 namespace crossgrain {
 namespace {
 
 /// So many more rounds come before smaller hexahedra.
 constexpr std::size_t kRoundsBefore = 1;
-
-/// Each size is this share of the last.
-constexpr double kSmallerShare = 0.7;
 
 bool may_go_on(const HexCandidate& candidate, double least_quality) {
   return candidate.made && candidate.attempt.is_folded_by_rounding() && !is_good(candidate, least_quality);
@@ -37,7 +35,7 @@ class SmallerHexahedra : public AttemptKind {
 
   std::string plan(const AttemptQueue& queue) const override {
     const double last = best_ ? size_ : queue.best_of_rounds()[next_round(queue)]->asked_size;
-    return fmt::format("hexahedra of {:.3g}", kSmallerShare * last);
+    return fmt::format("hexahedra of {:.3g}", kSmallerSize * last);
   }
 
   std::size_t round(const AttemptQueue& queue) const override { return best_ ? rounds_ : next_round(queue); }
@@ -51,7 +49,7 @@ class SmallerHexahedra : public AttemptKind {
       size_ = starting_field(best_->followed->field(), options_).size;
       sizes_ = 0;
     }
-    size_ *= kSmallerShare;
+    size_ *= kSmallerSize;
     const bool is_last = ++sizes_ == tuning_.smaller_sizes;
     HexCandidate candidate = mapped_candidate(*best_, size_, tuning_);
     fit_if_complete(candidate);

@@ -12,6 +12,7 @@
 #include "base/vector3.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/place.hpp"
+#include "hex/hex_report.hpp"
 #include "measure/feature_measure.hpp"
 #include "measure/hex_interfaces.hpp"
 #include "solve/tet_domain_data.hpp"
@@ -87,7 +88,7 @@ void judge_empty_solids(const EmptySolids& empty, const TetSolid& model, HexRepo
   report.outcome = HexOutcome::kPartial;
   report.reason = words_of(empty, model);
   report.places = {empty.place};
-  report.remedy = Remedy::kTakeSmallerHexahedra;
+  advise_smaller(report);
 }
 
 /// Removes what the surface and the tets say of contacts. The boundary of tets is closed, so all that is

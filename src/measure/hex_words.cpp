@@ -72,7 +72,8 @@ std::string sizes_of(const HexReport& report) {
   const char* const reason = is_smaller ? fault_of_larger(report, expected)
                              : is_more  ? (added_by_fit(report) > 0 ? "its features need layers of them"
                                                                     : "each wall and gap has one across")
-                                        : "the field leaves room for fewer";
+                             : report.is_of_lattice() ? "its planes are moved onto the model's faces"
+                                                      : "the field leaves room for fewer";
   if (report.is_of_lattice() && is_smaller)
     return fmt::format("{}, not {:.3g} as asked for: {}", text, report.size, reason);
   return fmt::format("{}, not about {:.0f} of {:.3g}: {}", text, expected, report.size, reason);

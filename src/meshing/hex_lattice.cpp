@@ -45,20 +45,18 @@ void check(const HexMeshingOptions& options, const FittingModel& model) {
   AskedHexahedra(of_size).check(SearchableSurface(std::move(surface)));
 }
 
-/// Sets HexOutcome::kApproximate, with the reason, where solids that touch have become one. Where they do so
-/// without shared faces no size helps: warns of it.
-void judge_solids_of_lattice(std::size_t solids, HexReport& report, std::vector<Warning>& warnings) {
-  if (solids <= report.bodies || report.hexahedra == 0) return;
-  if (report.outcome != HexOutcome::kAllHex && report.outcome != HexOutcome::kApproximate) {
-    report.remedy = Remedy::kNone;
-    warnings.emplace_back(
-        WarningKind::kTouchingSolids,
-        fmt::format("the {} solids of the model touch, or are nearer to each other than the "
-                    "hexahedra, and share no faces",
-                    solids),
-        Remedy::kGlueSolids);
-    return;
-  }
+/// Warns of parts of the surface that a lattice has joined.
+void warn_of_joined(std::size_t solids, std::vector<Warning>& warnings) {
+  const std::string parts = solids > 1 ? fmt::format("{} of the model", counted(solids, "solid"))
+                                       : std::string("closed parts of the surface");
+  warnings.emplace_back(WarningKind::kTouchingSolids,
+                        parts + " touch or overlap, and share no faces: a lattice makes them one",
+                        solids > 1 ? Remedy::kGlueSolids : Remedy::kSeparateSolids);
+}
+
+/// Sets HexOutcome::kApproximate, with the reason, where solids that share faces have become one.
+void judge_solids_of_lattice(std::size_t solids, HexReport& report) {
+  if (solids <= report.bodies || report.hexahedra == 0 || is_partial(report.outcome)) return;
   report.outcome = HexOutcome::kApproximate;
   report.reason += fmt::format("{}its {} are meshed as {}, without faces between them, which only maps have",
                                report.reason.empty() ? "" : "; ", counted(solids, "solid"),
@@ -98,7 +96,8 @@ FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& optio
   made.mesh = std::move(found.mesh);
   made.mesh.unit = report.model.unit;
   report.hexahedra = std::move(found.report);
-  judge_solids_of_lattice(model.solids, *report.hexahedra, report.warnings);
+  if (found.has_joined) warn_of_joined(model.solids, report.warnings);
+  judge_solids_of_lattice(model.solids, *report.hexahedra);
   count_quads(made.mesh, report.faces);
   for (auto& warning : {faces_without_quads(report.faces, model.model.solid, *report.hexahedra),
                         faces_off(report.faces, *report.hexahedra)})

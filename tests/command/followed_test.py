@@ -25,7 +25,6 @@ ELSEWHERE = {
 # Remedies that none follows, and why.
 NOT_FOLLOWED = {
     "kUseEdgeLength": "of fields on tets that leave something undecided, where finer tets may too",
-    "kTakeSmallerHexahedra": "a search takes minutes, of a solid that is smaller than the hexahedra",
     "kNameOutput": "the command line refuses such names before",
     **dict.fromkeys(["kFreeSpace", "kCheckOutputDisk", "kMoveCheckpoint"], "disks that are full or broken"),
     **dict.fromkeys(["kAwaitSolve", "kGiveCheckpoint"], "several solves or processes at once"),

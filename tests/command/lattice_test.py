@@ -15,7 +15,7 @@ from hex_pictures_test import legend_of
 from page_reader import Page
 from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
 
-USAGE, INPUT, APPROXIMATE, INTERRUPTED = 2, 3, 7, 130
+USAGE, INPUT, PARTIAL, APPROXIMATE, INTERRUPTED = 2, 3, 6, 7, 130
 
 
 def turned(triangles, angle, axis=(1, 2, 3)):
@@ -157,6 +157,39 @@ class Lattice(CommandTest):
         self.assertRegex(printed, r"(?m)its 2 solids are meshed as one, without faces between them, which only maps have$")
         self.assertEqual(report["bodies"], 1)
 
+    def test_of_bodies_that_touch_is_made_once_since_no_size_parts_them(self):
+        box = np.array(box_triangles())
+        size = box.reshape(-1, 3).max(axis=0)
+        self.write("part.stl", stl_bytes(np.concatenate([box, 0.5 * box + np.array([size[0], 0.2 * size[1], 0.2 * size[2]])])))
+        printed, report = self.made("--lattice", "--cells", "10", code=PARTIAL)
+        self.assertEqual(len(report["attempts"]), 1)
+        self.assertNotIn("remedy", report)
+        self.assertIn("closed parts of the surface touch or overlap", printed)
+        self.assertNotIn("try --size", printed)
+
+    def test_has_a_body_in_a_void(self):
+        box = np.array(box_triangles())
+        middle = box.reshape(-1, 3).mean(axis=0)
+        scaled = [middle + share * (box - middle) for share in (1, 0.7, 0.2)]
+        self.write("part.stl", stl_bytes(np.concatenate([scaled[0], scaled[1][:, ::-1], scaled[2]])))
+        printed, _ = self.made("--lattice", "--cells", "12")
+        self.assertIn("in 2 bodies", printed)
+        self.assert_all_hex(0.1)
+
+    def test_tells_its_hexahedra_with_layers_before_they_are_moved(self):
+        self.write("part.stl", stl_bytes(revolved([(0, 0), (1, 0), (1, 2), (0, 2)])))
+        result = self.run_here("hex", "part.stl", "--lattice", "--cells", "8", "--progress", "json", "-o", "out")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        events = [json.loads(line) for line in result.stderr.splitlines() if line.startswith("{")]
+        report = json.loads((self.folder / "out" / "report.json").read_text())["hexahedra"]
+        best = report["attempts"][report["best_attempt"]]
+        of_best = [event for event in events if event.get("attempt") == best["number"]]
+        first = next(event for event in of_best if "fitted" in event)
+        self.assertEqual(first["phase"], "smooth")
+        self.assertEqual(first["fitted"], best["hexahedra"])
+        self.assertLess(first["share"], 0.1)
+        self.assertEqual(of_best[-1]["event"], "attempt")
+
     def test_that_is_stopped_is_the_best_so_far(self):
         self.write("part.stl", stl_bytes(cylinder(2, 5, segments=7)))
         with subprocess.Popen([PROGRAM, "hex", "part.stl", "--lattice", "--cells", "60", "-o", "out", "--progress", "json"], cwd=self.folder, text=True,
@@ -189,7 +222,7 @@ class Lattice(CommandTest):
 
     def test_takes_no_options_of_maps(self):
         self.write("part.stl", stl_bytes(box_triangles()))
-        for options in (["--map-only"], ["--prefer", "map"]):
+        for options in (["--map-only"], ["--prefer", "map"], ["--tet-size", "1"], ["--seed", "3"]):
             self.assert_fails(self.run_here("hex", "part.stl", "--lattice", *options, "-o", "out"), USAGE, "--lattice")
 
     def test_refuses_sizes_that_suit_no_part(self):

@@ -147,7 +147,7 @@ TEST(SolidJudgement, OfASolidWithoutHexahedraIsFlawed) {
   EXPECT_EQ(report.reason.find("solid 2 has no hexahedra, around 0."), 0u) << report.reason;
   ASSERT_EQ(report.places.size(), 1u);
   for (const double x : report.places[0]) EXPECT_LT(x, 1);
-  EXPECT_EQ(report.remedy, Remedy::kTakeSmallerHexahedra);
+  EXPECT_EQ(report.remedy, Remedy::kUseHexSize);
   EXPECT_EQ(made_of(with_regions(box({6, 6, 6}), region_of), 1).report().outcome, HexOutcome::kAllHex);
 }
 

@@ -224,7 +224,7 @@ TEST_F(HexMeshing, MakesNoTetsOfASizeBetweenTwoThatMakeTheSame) {
   const Hexahedra made = hexahedra_in_tets_of(make, options, tuning, {});
   EXPECT_EQ(sizes, (std::vector<double>{1, 4}));
   for (const HexAttemptEnd& end : ends) EXPECT_EQ(end.next.find("tets of 3"), std::string::npos) << end.next;
-  EXPECT_EQ(made.report().remedy, Remedy::kTakeSmallerHexahedra)
+  EXPECT_EQ(made.report().remedy, Remedy::kUseHexSize)
       << "sizes of tets are tried, not advised one after the other";
 }
 

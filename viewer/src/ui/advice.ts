@@ -2,7 +2,6 @@
 // What to do about a result, in options of `crossgrain hex`, as its terminal says.
 
 const kOptions: Record<string, (number?: number) => string> = {
-  take_smaller_hexahedra: () => "lower --size, or raise --cells",
   take_larger_hexahedra: () => "raise --size, or lower --cells",
   use_hex_size: (size) => `try --size ${size}`,
   use_edge_length: (size) => `try --tet-size ${size}`,
