@@ -63,6 +63,9 @@ inline constexpr double kGoodShape = 0.2, kPoorestShape = 0.02;
 /// Bytes for a hexahedron while it is fitted, beyond the mesh as given: 2.2 kB on n03c of 14,000.
 inline constexpr double kBytesOfFittedHexahedron = 2800;
 
+/// Returns the bytes that a model itself takes while hexahedra are fitted to it and measured.
+double bytes_to_fit_to(const FeatureComplex& features);
+
 /// Whether a mesh is worth more than another.
 bool is_better_fit(const FittedMesh& mesh, const FittedMesh& other);
 

@@ -244,7 +244,7 @@ Lattice LatticeSearch::lattice_at(double size) const {
 /// Throws Error(kLimit) unless there is memory to fit a lattice, which is of no use otherwise.
 void LatticeSearch::require_memory_to_fit(const Lattice& lattice) const {
   const WatchedLoops watched(monitor_, Stops::kHeeded);
-  require_memory(kBytesOfFittedHexahedron * fitted_count(lattice),
+  require_memory(kBytesOfFittedHexahedron * fitted_count(lattice) + bytes_to_fit_to(model_.features),
                  fmt::format("fitting a lattice of {}", counted(lattice.mesh.hexahedra.size(), "cell")),
                  Remedy::kTakeFewerHexahedra);
 }

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/ascending.hpp"
 #include "base/parallel.hpp"
+#include "base/required_memory.hpp"
 #include "base/vector3.hpp"
 #include "measure/triangle_samples.hpp"
 #include "surface/bvh.hpp"
@@ -130,31 +133,52 @@ std::unique_ptr<SearchedTriangles> searched_face(const FeatureComplex& complex, 
   return part;
 }
 
-struct DistanceSample {
-  Vector3 place;
-  double weight, distance, beyond;
+/// Of a sample, in sizes.
+struct WeightedDistance {
+  double beyond, weight;
+  friend auto operator<=>(const WeightedDistance&, const WeightedDistance&) = default;
 };
 
-DistanceFigures figures_of(std::vector<DistanceSample>& samples, double size) {
+/// The first of several that are as large counts.
+void include(DistanceFigures& figures, const Vector3& place, double distance, double beyond) {
+  if (beyond > figures.largest) figures.largest = beyond, figures.place = place;
+  if (distance > figures.largest_in_all) figures.largest_in_all = distance, figures.place_in_all = place;
+}
+
+/// Returns the figures of the samples of items, `count(item)` of each. visit(item, add) calls
+/// add(place, weight, distance, beyond) for each of them; the last is what is beyond the distance that is
+/// allowed there.
+template <class Count, class Visit>
+DistanceFigures figures_of(std::size_t items, double size, const Count& count, const Visit& visit) {
+  std::vector<std::size_t> first(items + 1, 0);
+  parallel_for(items, [&](std::size_t item) { first[item + 1] = count(item); });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  require_memory(static_cast<double>(first.back() * sizeof(WeightedDistance)),
+                 "measuring distances between hexahedra and model", Remedy::kTakeFewerHexahedra);
+  std::vector<WeightedDistance> samples(first.back());
+  std::vector<DistanceFigures> of_chunks((items + kParallelGrain - 1) / kParallelGrain);
+  parallel_for_chunks(items, kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    DistanceFigures& figures = of_chunks[begin / kParallelGrain];
+    for (std::size_t item = begin; item < end; ++item)
+      visit(item, [&, at = first[item]](const Vector3& place, double weight, double distance,
+                                        double beyond) mutable {
+        samples[at++] = {beyond / size, weight};
+        include(figures, place, distance / size, beyond / size);
+      });
+  });
   DistanceFigures figures;
-  double weights = 0;
-  for (const DistanceSample& sample : samples) {
-    weights += sample.weight;
-    if (sample.beyond / size > figures.largest) {
-      figures.largest = sample.beyond / size;
-      figures.place = sample.place;
-    }
-    if (sample.distance / size > figures.largest_in_all) {
-      figures.largest_in_all = sample.distance / size;
-      figures.place_in_all = sample.place;
-    }
+  for (const DistanceFigures& of_chunk : of_chunks) {
+    include(figures, of_chunk.place, 0, of_chunk.largest);
+    include(figures, of_chunk.place_in_all, of_chunk.largest_in_all, 0);
   }
-  std::ranges::stable_sort(samples, {}, &DistanceSample::beyond);
+  double weights = 0;
+  for (const WeightedDistance& sample : samples) weights += sample.weight;
+  std::ranges::sort(samples);
   double passed = 0;
-  for (const DistanceSample& sample : samples) {
+  for (const WeightedDistance& sample : samples) {
     passed += sample.weight;
     if (passed < 0.99 * weights) continue;
-    figures.percentile_99 = sample.beyond / size;
+    figures.percentile_99 = sample.beyond;
     break;
   }
   return figures;
@@ -189,24 +213,23 @@ std::vector<double> cut_off_by_edges(std::span<const SurfaceQuad> quads, std::sp
 DistanceFigures distances_of_mesh(const HexMesh& mesh, std::span<const SurfaceQuad> quads,
                                   std::span<const double> cut_off, const FeatureTrees& trees, double size) {
   const std::vector<double> by_edges = cut_off_by_edges(quads, cut_off);
-  // Neighbours share corners and edges, and their weights.
-  std::vector<DistanceSample> samples(9 * quads.size());
-  parallel_for(quads.size(), [&](std::size_t q) {
+  const auto count = [](std::size_t) { return std::size_t{9}; };
+  return figures_of(quads.size(), size, count, [&](std::size_t q, auto add) {
     const SurfaceQuad& quad = quads[q];
     Vector3 centre{0, 0, 0};
     for (const std::uint32_t v : quad.vertices) centre += 0.25 * mesh.vertices[v];
-    const auto measure = [&](std::size_t k, const Vector3& point, double weight, double allowed) {
+    const auto measure = [&](const Vector3& point, double weight, double allowed) {
       const double distance = trees.distance(point, quad.below, quad.above);
-      samples[9 * q + k] = {point, weight, distance, std::max(0.0, distance - allowed)};
+      add(point, weight, distance, std::max(0.0, distance - allowed));
     };
+    // Neighbours share corners and edges, and their weights.
     for (std::size_t k = 0; k < 4; ++k) {
       const Vector3 &a = mesh.vertices[quad.vertices[k]], &b = mesh.vertices[quad.vertices[(k + 1) % 4]];
-      measure(2 * k, a, 0.25, 0);
-      measure(2 * k + 1, 0.5 * (a + b), 0.5, by_edges[4 * q + k]);
+      measure(a, 0.25, 0);
+      measure(0.5 * (a + b), 0.5, by_edges[4 * q + k]);
     }
-    measure(8, centre, 1, cut_off[q]);
+    measure(centre, 1, cut_off[q]);
   });
-  return figures_of(samples, size);
 }
 
 /// Each quad as four triangles around its centre.
@@ -238,26 +261,25 @@ DistanceFigures distances_of_model(const HexMesh& mesh, std::span<const SurfaceQ
   });
   const std::vector<double> by_edges = cut_off_by_edges(quads, cut_off);
   if (trees.empty()) return {.percentile_99 = INFINITY, .largest = INFINITY, .largest_in_all = INFINITY};
-  std::vector<DistanceSample> samples;
-  std::vector<std::uint32_t> face_of;
-  for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
-    for_each_sample(complex.points_of(t), kSampleSpacing * size, [&](const Vector3& place, double weight) {
-      samples.push_back({place, weight, 0, 0});
-    });
-    face_of.resize(samples.size(), complex.face_of[t]);
-  }
-  parallel_for(samples.size(), [&](std::size_t k) {
-    const FeatureComplex::Face& face = complex.faces[face_of[k]];
+  const double spacing = kSampleSpacing * size;
+  const auto count = [&](std::size_t t) {
+    std::size_t samples = 0;
+    for_each_sample(complex.points_of(t), spacing, [&](const Vector3&, double) { ++samples; });
+    return samples;
+  };
+  return figures_of(complex.triangles.size(), size, count, [&](std::size_t t, auto add) {
+    const FeatureComplex::Face& face = complex.faces[complex.face_of[t]];
     const SearchedTriangles& part = trees.of({face.below, face.above});
-    const NearestPoint nearest = part.tree->nearest(samples[k].place);
-    samples[k].distance = std::sqrt(nearest.squared_distance);
-    const std::uint32_t edge = part.labels[nearest.triangle];
-    const auto [a, b, centre] = part.surface.corners(nearest.triangle);
-    const bool is_on_edge = distance_to_segment(nearest.point, a, b) <= kOnEdge * norm(b - a);
-    samples[k].beyond =
-        std::max(0.0, samples[k].distance - (is_on_edge ? by_edges[edge] : cut_off[edge / 4]));
+    for_each_sample(complex.points_of(t), spacing, [&](const Vector3& place, double weight) {
+      const NearestPoint nearest = part.tree->nearest(place);
+      const double distance = std::sqrt(nearest.squared_distance);
+      const std::uint32_t edge = part.labels[nearest.triangle];
+      const auto [a, b, centre] = part.surface.corners(nearest.triangle);
+      const bool is_on_edge = distance_to_segment(nearest.point, a, b) <= kOnEdge * norm(b - a);
+      add(place, weight, distance,
+          std::max(0.0, distance - (is_on_edge ? by_edges[edge] : cut_off[edge / 4])));
+    });
   });
-  return figures_of(samples, size);
 }
 
 }  // namespace

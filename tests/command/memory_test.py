@@ -8,12 +8,34 @@ import subprocess
 import time
 import unittest
 
+import numpy as np
+
 from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, medit_text, stl_bytes, tet_box, torus_triangles
 from resident_memory import resident_bytes_with_descendants
 from tets_test import MAKERS
 
 LIMIT, PARTIAL, APPROXIMATE = 5, 6, 7
 PAUSE_S = 0.005
+
+
+def sponge(level):
+    """Triangles of a Menger sponge of unit cubes."""
+    filled = np.ones((1, 1, 1), bool)
+    unit = np.indices((3, 3, 3))
+    kept = (unit == 1).sum(axis=0) < 2
+    for _ in range(level):
+        filled = np.kron(filled, kept)
+    padded = np.pad(filled, 1)
+    triangles = []
+    for axis in range(3):
+        for side in (0, 1):
+            free = ~np.roll(padded, 1 - 2 * side, axis)[1:-1, 1:-1, 1:-1]
+            cells = np.argwhere(filled & free)
+            u, v = np.eye(3, dtype=int)[(axis + 1) % 3], np.eye(3, dtype=int)[(axis + 2) % 3]
+            corner = cells + side * np.eye(3, dtype=int)[axis]
+            quads = [corner, corner + u, corner + u + v, corner + v][:: 1 if side else -1]
+            triangles += [np.stack([quads[0], quads[1], quads[2]], 1), np.stack([quads[0], quads[2], quads[3]], 1)]
+    return np.concatenate(triangles)
 
 
 class MemoryTest(CommandTest):
@@ -59,6 +81,15 @@ class WhatDoesNotFit(MemoryTest):
                     words=["torus.stl: putting hexahedra onto 160000 triangles takes 0.1"])
         peak = self.peak_of("hex", "torus.stl", "--lattice", "--cells", "8", "--max-memory", "180MB", "-o", "out", "--no-report", codes=(0, APPROXIMATE))
         self.assertLessEqual(peak, 180e6)
+
+    def test_is_refused_by_what_many_creases_take(self):
+        self.write("sponge.stl", stl_bytes(sponge(3)))
+        lattice = ("hex", "sponge.stl", "--lattice", "--cells", "27", "-o", "out")
+        result = self.run_here(*lattice, "--max-memory", "60MB")
+        self.assertEqual(result.returncode, LIMIT)
+        self.assertIn("fitting a lattice of 8000 cells takes 0.0", result.stderr)
+        peak = self.peak_of(*lattice, "--max-memory", "100MB", "--no-report", codes=(0, LIMIT))
+        self.assertLessEqual(peak, 100e6)
 
     @unittest.skipUnless("gmsh" in MAKERS, "gmsh is not installed")
     def test_is_told_of_what_gmsh_takes(self):
