@@ -124,6 +124,7 @@ double FittingEnergy::operator()(const Eigen::VectorXd& displacements, Eigen::Ve
   parallel_for(differences.size(),
                [&](std::size_t q) { differences[q] = pulls_.of_quads[q].difference(at); });
   parallel_for(at.size(), [&](std::size_t v) {
+    if (pulls_.is_held[v]) return;
     const VertexPull& pull = pulls_.of_vertex[v];
     Vector3 total = of_shapes[v] + 2 * crossgrain::apply(pull.weight, at[v] - pull.point);
     for (const std::uint32_t use : pulled_by_[v]) {

@@ -17,7 +17,8 @@ namespace crossgrain {
 struct FittingPulls {
   std::vector<VertexPull> of_vertex;
   std::vector<QuadPull> of_quads;
-  double quad_weight = 0;  ///< of the latter, in squared inverse model units
+  std::vector<std::uint8_t> is_held = {};  ///< 1 for vertices that stay where they are
+  double quad_weight = 0;                  ///< of the latter, in squared inverse model units
 };
 
 /// Edges of cubes that hexahedra shall be: of their own volume, within shares of the size, so that thin

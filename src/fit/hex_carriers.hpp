@@ -12,9 +12,12 @@
 namespace crossgrain {
 
 struct HexCarrier {
-  enum class Kind : std::uint8_t { kInside, kFace, kCurve, kCorner };
+  /// kHeld: stays where it is.
+  enum class Kind : std::uint8_t { kInside, kHeld, kFace, kCurve, kCorner };
   Kind kind = Kind::kInside;
   std::uint32_t index = 0;  ///< of the group of faces, the curve or the corner
+
+  bool is_on_surface() const { return kind != Kind::kInside && kind != Kind::kHeld; }
 
   friend bool operator==(const HexCarrier&, const HexCarrier&) = default;
 };

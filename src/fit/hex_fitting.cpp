@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "base/vector3.hpp"
 #include "fit/fitting_energy.hpp"
 #include "fit/fitting_targets.hpp"
+#include "fit/near_surface.hpp"
 #include "fit/surface_samples.hpp"
 #include "fit/vertex_moves.hpp"
 #include "map/descent.hpp"
@@ -71,15 +74,19 @@ double sample_spacing(const FeatureComplex& complex, std::size_t quads, double s
 class HexFitting {
  public:
   HexFitting(HexMesh& mesh, const FeatureComplex& complex, const HexCarriers& carriers, double size,
-             const HexFittingOptions& options)
+             const HexFittingOptions& options, std::size_t all)
       : mesh_(mesh),
+        all_(all),
         carriers_(carriers),
         size_(size),
         options_(options),
         targets_(complex, carriers, size),
         samples_(surface_samples(complex, carriers.group_of_face,
                                  sample_spacing(complex, carriers.quads.size(), size))),
-        trust_(mesh.vertices.size(), 1.0) {}
+        trust_(mesh.vertices.size(), 1.0) {
+    for (const HexCarrier& carrier : carriers.of_vertex)
+      pulls_.is_held.push_back(carrier.kind == Kind::kHeld);
+  }
 
   HexFittingResult run();
 
@@ -96,6 +103,7 @@ class HexFitting {
   double epsilon() const;
 
   HexMesh& mesh_;
+  const std::size_t all_;  ///< hexahedra of the whole mesh
   const HexCarriers& carriers_;
   double size_;
   const HexFittingOptions& options_;
@@ -108,7 +116,7 @@ class HexFitting {
 /// Tells that `done` of `all` steps of one of four parts are done.
 void HexFitting::tell_part(int part, int done, int all) const {
   const double share = 0.25 * (part + static_cast<double>(done) / all);
-  tell_watched(Phase::kSmooth, share, mesh_.hexahedra.size());
+  tell_watched(Phase::kSmooth, share, all_);
 }
 
 std::size_t HexFitting::count_invalid() const {
@@ -132,7 +140,7 @@ void HexFitting::pull_to_places(double weight) {
   const double scaled = weight / (size_ * size_);
   pulls_.of_vertex.assign(mesh_.vertices.size(), {});
   for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v) {
-    if (carriers_.of_vertex[v].kind == Kind::kInside) continue;
+    if (!carriers_.of_vertex[v].is_on_surface()) continue;
     pulls_.of_vertex[v].point = targets_.evenly()[v];
     add_isotropic(pulls_.of_vertex[v].weight, scaled);
   }
@@ -146,7 +154,7 @@ void HexFitting::pull_to_nearest(double weight) {
   parallel_for(mesh_.vertices.size(), [&](std::size_t index) {
     const auto v = static_cast<std::uint32_t>(index);
     const Kind kind = carriers_.of_vertex[v].kind;
-    if (kind == Kind::kInside) return;
+    if (!carriers_.of_vertex[v].is_on_surface()) return;
     const Vector3& at = mesh_.vertices[v];
     const auto [point, direction] = targets_.nearest(v, at, normals[v]);
     const double scaled = trust_[v] * weight / (size_ * size_);
@@ -253,7 +261,7 @@ std::size_t HexFitting::count_off() const {
   const std::vector<Vector3> normals = targets_.normals_of(mesh_);
   std::size_t off = 0;
   for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v) {
-    if (carriers_.of_vertex[v].kind == Kind::kInside) continue;
+    if (!carriers_.of_vertex[v].is_on_surface()) continue;
     const Vector3& at = mesh_.vertices[v];
     off += norm(targets_.nearest(v, at, normals[v]).point - at) > kOff * size_;
   }
@@ -265,7 +273,13 @@ std::size_t HexFitting::count_off() const {
 HexFittingResult fit_onto(HexMesh& mesh, const FeatureComplex& complex, const HexCarriers& carriers,
                           double size, const HexFittingOptions& options) {
   if (mesh.hexahedra.empty()) return {};
-  return HexFitting(mesh, complex, carriers, size, options).run();
+  if (std::optional<NearSurface> part = near_surface(mesh, carriers, options.lifted_below)) {
+    const HexFittingResult result =
+        HexFitting(part->mesh, complex, part->carriers, size, options, mesh.hexahedra.size()).run();
+    part->copy_places_to(mesh);
+    return result;
+  }
+  return HexFitting(mesh, complex, carriers, size, options, mesh.hexahedra.size()).run();
 }
 
 }  // namespace crossgrain

@@ -43,7 +43,9 @@ struct HexFittingResult {
 /// state is valid by `is_valid`. One with invalid hexahedra is untangled first.
 ///
 /// Vertices stay off their carrier where the hexahedra around would become worse than the options allow.
-/// The same to the bit for any number of threads. Interrupted as watched loops are; the mesh then is the last
+/// Where hexahedra are further inside than a few layers, they stay as they are (near_surface).
+///
+/// The same to the bit for any number of threads. Interrupted as watched loops are; the mesh then is an
 /// accepted state.
 HexFittingResult fit_onto(HexMesh& mesh, const FeatureComplex& complex, const HexCarriers& carriers,
                           double size, const HexFittingOptions& options = {});

@@ -63,7 +63,8 @@ VertexMoves::VertexMoves(HexMesh& mesh, const FittingTargets& targets)
       sizes_(wanted_sizes(mesh, targets.size())),
       is_on_(mesh.vertices.size(), 1),
       is_stirred_(mesh.vertices.size(), 1) {
-  for (std::uint32_t v = 0; v < is_on_.size(); ++v) is_on_[v] = kind(v) == Kind::kInside;
+  for (std::uint32_t v = 0; v < is_on_.size(); ++v)
+    is_on_[v] = !targets_.carriers().of_vertex[v].is_on_surface();
 }
 
 template <class Move>
@@ -74,7 +75,7 @@ std::size_t VertexMoves::move_all(const std::vector<std::uint8_t>& wanted, const
         set.size(),
         [&](std::size_t k) {
           const std::uint32_t v = set[k];
-          if (!wanted[v]) return;
+          if (!wanted[v] || kind(v) == Kind::kHeld) return;
           const Vector3 before = mesh_.vertices[v];
           const bool moved = move(v);
           has_moved[v] = moved && norm(mesh_.vertices[v] - before) > kStir * targets_.size();
