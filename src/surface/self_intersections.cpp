@@ -204,8 +204,56 @@ std::vector<PartMeeting> distinct_meetings(std::vector<PartMeeting> meetings) {
   return meetings;
 }
 
-/// Finds parts inside the solid that cross no other part and are no voids: the winding number at their
-/// triangles exceeds 1.
+/// Whether a triangle of a part is inside another one: the winding number is more than 1 on both sides.
+bool is_buried(const Surface& surface, std::uint32_t triangle, const WindingNumber& winding) {
+  const auto [a, b, c] = surface.corners(triangle);
+  const Vector3 centre = (1.0 / 3) * (a + b + c);
+  const Vector3 off = 1e-4 * std::sqrt(surface.areas[triangle]) * surface.normals[triangle];
+  return winding.at(centre + off) + winding.at(centre - off) > 2.5;
+}
+
+std::vector<Box> boxes_of_parts(const MendedSurface& mended) {
+  std::vector<Box> boxes(mended.parts, empty_box());
+  for (std::uint32_t t = 0; t < mended.surface.size(); ++t)
+    if (mended.part_of[t] != kNoPart)
+      for (const Vector3& corner : mended.surface.corners(t)) include(boxes[mended.part_of[t]], corner);
+  return boxes;
+}
+
+/// Parts of which one reaches into the other cross, although no triangles do where their sides are in common
+/// planes.
+void find_parts_in_each_other(const MendedSurface& mended, const WindingNumber& winding,
+                              std::vector<PartMeeting>& meetings) {
+  std::vector<std::vector<std::size_t>> of_part(mended.parts);
+  for (std::size_t k = 0; k < meetings.size(); ++k)
+    if (!meetings[k].crosses)
+      for (const std::uint32_t part : {meetings[k].parts.first, meetings[k].parts.second})
+        of_part[part].push_back(k);
+  const Surface& surface = mended.surface;
+  const std::vector<Box> boxes = boxes_of_parts(mended);
+  const double margin = kTolerance * largest_coordinate(surface.box);
+  for (std::uint32_t t = 0; t < surface.size(); ++t) {
+    const std::uint32_t part = mended.part_of[t];
+    if (part == kNoPart || of_part[part].empty()) continue;
+    const auto [a, b, c] = surface.corners(t);
+    const Vector3 centre = (1.0 / 3) * (a + b + c);
+    for (const std::size_t k : of_part[part]) {
+      PartMeeting& meeting = meetings[k];
+      const Box& other = boxes[meeting.parts.first == part ? meeting.parts.second : meeting.parts.first];
+      const bool is_in_box = [&] {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          if (centre[axis] <= other.low[axis] + margin || centre[axis] >= other.high[axis] - margin)
+            return false;
+        return true;
+      }();
+      if (meeting.crosses || !is_in_box || !is_buried(surface, t, winding)) continue;
+      meeting.crosses = true;
+      meeting.place = centre;
+    }
+  }
+}
+
+/// Finds parts inside the solid that cross no other part and are no voids.
 void add_buried_parts(const MendedSurface& mended, const WindingNumber& winding,
                       const std::vector<PartMeeting>& meetings, Tally& overlapping) {
   if (mended.part_of.empty() || mended.parts > kMostParts) return;
@@ -218,9 +266,7 @@ void add_buried_parts(const MendedSurface& mended, const WindingNumber& winding,
     if (part == kNoPart || asked[part]) continue;
     asked[part] = true;
     const auto [a, b, c] = surface.corners(t);
-    const Vector3 centre = (1.0 / 3) * (a + b + c);
-    const Vector3 off = 1e-4 * std::sqrt(surface.areas[t]) * surface.normals[t];
-    if (winding.at(centre + off) + winding.at(centre - off) > 2.5) overlapping.add(centre);
+    if (is_buried(surface, t, winding)) overlapping.add((1.0 / 3) * (a + b + c));
   }
 }
 
@@ -233,7 +279,9 @@ void find_self_intersections(const MendedSurface& mended, const TriangleBvh& bvh
     findings.push_back(
         {FindingKind::kSelfIntersection, found.crossings, found.first_crossing, {}, found.cut_short});
   }
-  const std::vector<PartMeeting> meetings = distinct_meetings(found.meetings);
+  std::vector<PartMeeting> meetings = distinct_meetings(found.meetings);
+  if (std::ranges::any_of(meetings, [](const PartMeeting& meeting) { return !meeting.crosses; }))
+    find_parts_in_each_other(mended, winding, meetings);
   Tally overlapping, touching;
   for (const PartMeeting& meeting : meetings) (meeting.crosses ? overlapping : touching).add(meeting.place);
   add_buried_parts(mended, winding, meetings, overlapping);

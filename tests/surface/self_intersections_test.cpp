@@ -147,6 +147,15 @@ TEST(SelfIntersections, PartsThatMeetInAFaceAnEdgeOrAPointTouch) {
   EXPECT_TRUE(findings_of(join_meshes(box, translate_mesh(box, {1.001, 0, 0}))).empty());
 }
 
+TEST(SelfIntersections, PartsWithSidesInCommonPlanesThatReachIntoEachOtherAreAnOverlap) {
+  const TriangleMesh box = make_box({1, 1, 1});
+  for (const Vector3& offset : {Vector3{0.5, 0, 0}, {0, 0.2, 0}, {0.3, 0.4, 0}}) {
+    const SurfaceFindings findings = findings_of(join_meshes(box, translate_mesh(box, offset)));
+    EXPECT_EQ(count_of(findings, FindingKind::kOverlappingComponents), 1u);
+    EXPECT_EQ(findings.size(), 1u);
+  }
+}
+
 TEST(SelfIntersections, CountingThemEndsEarlyWhereThereAreVeryMany) {
   std::mt19937 random(5);
   MendedSurface mended = mend_surface(make_box({1, 1, 1}));
