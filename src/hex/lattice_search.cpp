@@ -97,6 +97,12 @@ bool LatticeSearch::prepare() {
   Stopwatch stopwatch;
   while (!prepared_ && !is_done() && may_take(next_size_)) {
     const double size = next_size_;
+    // A lattice of millions takes long to find that out.
+    constexpr double kCertainly = 2;
+    if (best_ && fitted_ + expected_ * raised(asked_size_ / size, 3) > kCertainly * kMostFitted) {
+      next_coarse();
+      continue;
+    }
     Lattice lattice = lattice_at(size);
     const auto cells = static_cast<double>(lattice.mesh.hexahedra.size());
     if (best_ && (cells > kMostOfLattice * expected_ || fitted_ + cells > kMostFitted)) {
