@@ -67,7 +67,7 @@ class Run:
     def first_word(self):
         told = [at for at, text in self.lines if TELLS.search(text)]
         told += [at for at, event in self.events if event["event"] == "attempt" and FILLS.match(event["text"])]
-        return min(told, default=self.seconds)
+        return min([self.seconds, *told])
 
     def forecasts(self):
         """By the numbers of attempts, the last number told before the end of each: of maps in the row `expected`, of a lattice with the plan."""

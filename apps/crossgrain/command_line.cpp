@@ -23,7 +23,8 @@ constexpr const char* kExitCodesOfProcesses =
 
 constexpr const char* kVersionHelp = "Print the version and what this build can do, and exit";
 
-/// Flags take no values, but for the form of --progress: CLI11 takes those that look like a truth.
+/// Flags take no values, but for the form of --progress: CLI11 takes those that look like a truth, and goes
+/// on to take "true".
 void refuse_values_of_flags(CLI::App& app) {
   for (CLI::App* const command : app.get_subcommands({}))
     for (CLI::Option* const option : command->get_options())

@@ -63,7 +63,9 @@ std::string surplus(const CLI::App& command) {
   std::erase(words, "--");
   if (words.empty()) {
     // CLI11 keeps words before the command with the program.
-    const std::vector<std::string> early = command.get_parent()->remaining();
+    std::vector<std::string> early = command.get_parent()->remaining();
+    if (const auto end = std::ranges::find(early, "--"); end != early.end() && end + 1 != early.end())
+      return surplus_word(*(end + 1), command);
     return fmt::format("'{}' is before the command; give {} first", early.front(), command.get_name());
   }
   return surplus_word(words.front(), command);

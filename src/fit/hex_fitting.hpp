@@ -46,7 +46,7 @@ struct HexFittingResult {
 /// Where hexahedra are further inside than a few layers, they stay as they are (near_surface).
 ///
 /// The same to the bit for any number of threads. Interrupted as watched loops are; the mesh then is an
-/// accepted state.
+/// accepted state, or as given.
 HexFittingResult fit_onto(HexMesh& mesh, const FeatureComplex& complex, const HexCarriers& carriers,
                           double size, const HexFittingOptions& options = {});
 

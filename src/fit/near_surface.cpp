@@ -15,11 +15,11 @@ namespace {
 /// larger distances.
 constexpr std::uint8_t kLayers = 4;
 
-/// Share of all hexahedra that must be further inside.
+/// Share of all hexahedra that must be further inside: with less, the copy costs about what it saves.
 constexpr double kLeastInside = 0.2;
 
-/// For each hexahedron, how many layers are between it and those that touch the surface or are poor; at most
-/// kLayers.
+/// For each hexahedron, how many layers are between it and those with a vertex on the surface or of a poor
+/// one; at most kLayers.
 std::vector<std::uint8_t> layers_of(const HexMesh& mesh, const HexCarriers& carriers, double poor) {
   std::vector<std::uint8_t> of_vertex(mesh.vertices.size(), kLayers);
   for (std::size_t v = 0; v < of_vertex.size(); ++v)

@@ -20,7 +20,7 @@ struct NearSurface {
   void copy_places_to(HexMesh& whole) const;
 };
 
-/// Returns the hexahedra within some layers of the surface, and of hexahedra with a scaled Jacobian below
+/// Returns the hexahedra within some layers of the surface, and around hexahedra with a scaled Jacobian below
 /// `poor`; none if so few are further inside that it gains little. Numbers keep their order.
 std::optional<NearSurface> near_surface(const HexMesh& mesh, const HexCarriers& carriers, double poor);
 

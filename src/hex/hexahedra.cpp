@@ -32,14 +32,16 @@
 namespace crossgrain {
 namespace {
 
-/// One size for all that is too coarse, with its forecast: below those that were tried, and for faces without
-/// quads where it is not much less. Half of a size makes eight times as many hexahedra.
+/// One size for all that is too coarse, with its forecast: for the volume, below those that were tried by the
+/// way of the best, and for faces without quads where it is not much less. Half of a size makes eight times
+/// as many hexahedra.
 void choose_size(const std::vector<ModelFace>& faces, const TetSolid& solid, HexReport& report) {
   constexpr double kLeastOfSize = 0.5;
   if (report.remedy != Remedy::kUseHexSize) return;
   double& size = report.remedy_number;
   for (const HexAttempt& attempt : report.attempts)
-    if (attempt.size > 0) size = std::min(size, next_smaller_size(attempt.size));
+    if (attempt.size > 0 && attempt.is_of_lattice() == report.is_of_lattice())
+      size = std::min(size, next_smaller_size(attempt.size));
   if (const auto other = size_for_faces(faces, solid, report); other && *other >= kLeastOfSize * size)
     size = std::min(size, *other);
   report.remedy_hexahedra = hexahedra_in(solid, size);

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -109,7 +110,7 @@ bool LatticeSearch::prepare() {
       next_coarse();
       continue;
     }
-    const bool is_alike = lattice.shells == shells_ || (!lattice.mesh.hexahedra.empty() && touches_itself());
+    const bool is_alike = lattice.shells == shells_ || may_be_joined(lattice);
     prepared_ = std::make_unique<Prepared>(
         Prepared{std::move(lattice), size, is_alike, !fine_.empty(), stopwatch.restart()});
   }
@@ -212,7 +213,15 @@ bool LatticeSearch::is_done() const {
   return best_ && (is_good(*best_) || best_->is_stopped || has_joined_);
 }
 
-/// Where it does, no hexahedra have its topology.
+/// Whether a lattice has the tunnels of a surface that touches itself, whose shells no lattice has.
+bool LatticeSearch::may_be_joined(const Lattice& lattice) {
+  const auto tunnels = [](const std::vector<int>& shells) {
+    return std::ssize(shells) - std::accumulate(shells.begin(), shells.end(), std::ptrdiff_t{0}) / 2;
+  };
+  const bool has_tunnels = shells_.empty() || tunnels(lattice.shells) == tunnels(shells_);
+  return !lattice.shells.empty() && has_tunnels && touches_itself();
+}
+
 bool LatticeSearch::touches_itself() {
   if (touches_itself_) return *touches_itself_;
   const WatchedLoops watched(monitor_, Stops::kHeeded);

@@ -32,9 +32,10 @@ struct LatticeHexahedra {
 /// lacking, the planes are made finer there (places_to_refine), kMostRefinements times; then smaller sizes
 /// follow (kSmallerSize), until all is kept with good shapes, or their cells would be more than
 /// kMostOfLattice times those of the size; lattices of another topology than the model are left out if there
-/// is one of the same. Where the surface touches or crosses itself, its topology is none that hexahedra can
-/// have: the first lattice is the last. Of two, all-hex is better; then the one that lacks less; then the
-/// better shaped, by classes and then by the number of poor ones; then the one with fewer hexahedra.
+/// is one of the same. Where the surface touches or crosses itself, its shells are none that hexahedra
+/// can have: the first lattice with as many tunnels is the last. Of two, all-hex is better; then the one that
+/// lacks less; then the better shaped, by classes and then by the number of poor ones; then the one with
+/// fewer hexahedra.
 class LatticeSearch {
  public:
   /// Model and monitor must outlive it. `size` is about that of the hexahedra.
@@ -71,6 +72,7 @@ class LatticeSearch {
   void next_coarse();
   void choose_next(const LatticeHexahedra& last);
   bool may_take(double size) const;
+  bool may_be_joined(const Lattice& lattice);
   bool touches_itself();
   bool is_done() const;
   Lattice lattice_at(double size) const;

@@ -19,8 +19,8 @@ class LatticeTrials {
                 const LatticeListeners& listeners)
       : monitor_(monitor),
         of_attempt_(monitor, [this](Progress& progress) { tell_more(progress); }),
-        search_(model, size, of_attempt_),
-        listeners_(listeners) {}
+        listeners_(listeners),
+        search_(model, size, of_attempt_) {}
 
   LatticeHexahedra run() {
     try {
@@ -90,12 +90,12 @@ class LatticeTrials {
 
   const Monitor& monitor_;
   const Monitor of_attempt_;
-  LatticeSearch search_;
   const LatticeListeners& listeners_;
   std::vector<HexAttempt> attempts_;
   std::optional<LatticeHexahedra> best_;
   std::size_t best_attempt_ = 0;
   double expected_ = 0;  ///< as it was told
+  LatticeSearch search_;
 };
 
 }  // namespace

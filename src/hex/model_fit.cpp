@@ -163,14 +163,6 @@ double finer_size(const HexReport& report, double missed) {
   return rounded_down(std::min(report.size, report.used_size) * std::sqrt(0.5 * kNoticedVolume / missed), 2);
 }
 
-/// With the size to be tried, unless the report has one.
-Warning advising(double size, Warning warning, const HexReport& report) {
-  if (report.remedy == Remedy::kUseHexSize) return warning;
-  warning.remedy = Remedy::kUseHexSize;
-  warning.remedy_number = size;
-  return warning;
-}
-
 double volume_missed(const HexReport& report) {
   return report.hexahedra == 0 || report.model_volume <= 0 ? 0 : report.volume / report.model_volume - 1;
 }
@@ -275,10 +267,9 @@ std::optional<Warning> faces_off(const std::vector<ModelFace>& faces, const HexR
                                 words_of_place(face.centre, std::cbrt(report.model_volume))));
   }
   if (off.size() > kMostNamed) named.push_back(fmt::format("and {} more", off.size() - kMostNamed));
-  std::string text = fmt::format("the mesh moves the smooth border of {}, and so changes the area: {}",
-                                 counted(off.size(), noun.one, noun.several), fmt::join(named, "; "));
-  return advising(next_smaller_size(report.used_size), Warning(WarningKind::kFacesOff, std::move(text)),
-                  report);
+  return Warning(WarningKind::kFacesOff,
+                 fmt::format("the mesh moves the smooth border of {}, and so changes the area: {}",
+                             counted(off.size(), noun.one, noun.several), fmt::join(named, "; ")));
 }
 
 std::optional<Warning> faces_without_quads(const std::vector<ModelFace>& faces, const TetSolid& tets,
@@ -337,14 +328,13 @@ std::optional<Warning> poor_fit(const HexReport& report) {
   const Vector3& at = is_off ? report.largest_distance_place : report.largest_distance_of_model_place;
   const bool is_whole = report.outcome == HexOutcome::kAllHex;
   std::vector<std::string> faults;
-  double size = next_smaller_size(report.used_size);
   const bool is_said = !is_partial(report.outcome) && std::abs(missed) > kPoorVolume;
   if (std::abs(missed) > kNoticedVolume && !is_said) {
     std::string fault = fmt::format("have {:.2g} % {} volume than the model", 100 * std::abs(missed),
                                     missed < 0 ? "less" : "more");
     if (is_whole) {
-      size = finer_size(report, std::abs(missed));
-      fault += fmt::format(", those of {:g} about {:g} %", size, 100 * 0.5 * kNoticedVolume);
+      const double finer = finer_size(report, std::abs(missed));
+      fault += fmt::format(", those of {:g} about {:g} %", finer, 100 * 0.5 * kNoticedVolume);
     }
     faults.push_back(std::move(fault));
   }
@@ -354,8 +344,7 @@ std::optional<Warning> poor_fit(const HexReport& report) {
                                  distance, words_of_place(at, std::cbrt(report.model_volume)),
                                  distance / report.used_size));
   if (faults.empty()) return std::nullopt;
-  Warning warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")));
-  return is_whole ? advising(size, std::move(warning), report) : warning;
+  return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")));
 }
 
 }  // namespace crossgrain

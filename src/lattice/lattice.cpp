@@ -77,6 +77,18 @@ HexMesh mesh_of(const KeptCells& kept, const LatticePlanes& planes) {
   return mesh;
 }
 
+/// Boxes of bodies that may have too few cells for the largest one's.
+std::vector<Box> small_bodies_of(const TriangleMesh& mesh) {
+  constexpr double kSmall = 2 * kLeastBody;
+  const std::vector<ShellBody> bodies = bodies_in(mesh.triangles, mesh.vertices);
+  double largest = 0;
+  for (const ShellBody& body : bodies) largest = std::max(largest, body.volume);
+  std::vector<Box> boxes;
+  for (const ShellBody& body : bodies)
+    if (body.volume < kSmall * largest) boxes.push_back(body.box);
+  return boxes;
+}
+
 }  // namespace
 
 std::vector<int> shells_of(const HexMesh& mesh) {
@@ -109,9 +121,8 @@ Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& na
   lattice.slanted_share = slanted_share(along);
   const LatticePlanes planes = lattice_planes(along, size, of_narrow);
   require_memory_of(planes);
-  const std::size_t bodies =
-      std::max<std::size_t>(1, count_bodies(along.mesh.triangles, along.mesh.vertices));
-  const KeptCells kept = kept_cells(volume_shares(along, planes), planes, bodies);
+  const KeptCells kept =
+      kept_cells(volume_shares(along, planes), planes, [&] { return small_bodies_of(along.mesh); });
   lattice.toggled = kept.toggled;
   lattice.mesh = mesh_of(kept, planes);
   for (Vector3& p : lattice.mesh.vertices) p = rotate(lattice.axes, p);

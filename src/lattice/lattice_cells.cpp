@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
+#include "base/boxes.hpp"
 #include "base/parallel.hpp"
 
 namespace crossgrain {
@@ -36,10 +36,12 @@ bool is_manifold_at(unsigned mask) {
 
 class Repair {
  public:
-  Repair(const std::vector<float>& shares, const LatticePlanes& planes, std::size_t bodies, KeptCells& kept)
+  Repair(const std::vector<float>& shares, const LatticePlanes& planes,
+         const std::function<std::vector<Box>()>& small_bodies, KeptCells& kept)
       : shares_(shares),
+        planes_(planes),
         counts_{planes.cells(0), planes.cells(1), planes.cells(2)},
-        bodies_(bodies),
+        small_bodies_(small_bodies),
         kept_(kept) {}
 
   void run() {
@@ -110,35 +112,58 @@ class Repair {
     changes[best] = static_cast<std::uint8_t>(std::min(changes[best] + 1, 255));
   }
 
-  void leave_out_crumbs() {
-    std::vector<std::uint32_t> body_of(shares_.size(), 0);
-    std::vector<std::size_t> sizes = {0};
-    for (std::size_t cell = 0; cell < shares_.size(); ++cell)
-      if (kept_.is_kept[cell] && body_of[cell] == 0) {
-        const auto body = static_cast<std::uint32_t>(sizes.size());
-        sizes.push_back(flood(cell, body, body_of));
-      }
-    std::vector<std::size_t> largest = sizes;
-    std::ranges::sort(largest, std::greater());
-    const double least = std::min(kLeastBody * static_cast<double>(largest.front()),
-                                  static_cast<double>(largest[std::min(bodies_, sizes.size()) - 1]));
-    for (std::size_t cell = 0; cell < shares_.size(); ++cell)
-      if (kept_.is_kept[cell] && static_cast<double>(sizes[body_of[cell]]) < least) kept_.is_kept[cell] = 0;
+  struct LatticeBody {
+    std::size_t size = 0;
+    Vector3 sum{0, 0, 0};  ///< of the middles of its cells
+  };
+
+  Vector3 middle_of(std::size_t cell) const {
+    const std::array<std::size_t, 3> at{cell / (counts_[1] * counts_[2]), cell / counts_[2] % counts_[1],
+                                        cell % counts_[2]};
+    Vector3 middle{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      middle[axis] = 0.5 * (planes_.at[axis][at[axis]] + planes_.at[axis][at[axis] + 1]);
+    return middle;
   }
 
-  /// Marks what is connected to a cell; returns how many those are. The outermost cells are not kept, so that
+  void leave_out_crumbs() {
+    std::vector<std::uint32_t> body_of(shares_.size(), 0);
+    std::vector<LatticeBody> bodies(1);
+    std::size_t largest = 0;
+    for (std::size_t cell = 0; cell < shares_.size(); ++cell) {
+      if (!kept_.is_kept[cell]) continue;
+      if (body_of[cell] == 0) {
+        flood(cell, static_cast<std::uint32_t>(bodies.size()), body_of);
+        bodies.emplace_back();
+      }
+      LatticeBody& body = bodies[body_of[cell]];
+      body.sum += middle_of(cell);
+      largest = std::max(largest, ++body.size);
+    }
+    std::vector<std::uint8_t> is_crumb(bodies.size(), 0);
+    for (std::size_t k = 1; k < bodies.size(); ++k)
+      is_crumb[k] = static_cast<double>(bodies[k].size) < kLeastBody * static_cast<double>(largest);
+    if (std::ranges::count(is_crumb, 1) == 0) return;
+    const std::vector<Box> spared = small_bodies_();
+    for (std::size_t k = 1; k < bodies.size(); ++k) {
+      const Vector3 middle = (1.0 / static_cast<double>(bodies[k].size)) * bodies[k].sum;
+      if (std::ranges::any_of(spared, [&](const Box& box) { return contains(box, middle); })) is_crumb[k] = 0;
+    }
+    for (std::size_t cell = 0; cell < shares_.size(); ++cell)
+      if (kept_.is_kept[cell] && is_crumb[body_of[cell]]) kept_.is_kept[cell] = 0;
+  }
+
+  /// Marks what is connected to a cell. The outermost cells are not kept, so that
   /// all cells beside one of those are there.
-  std::size_t flood(std::size_t first, std::uint32_t body, std::vector<std::uint32_t>& body_of) const {
+  void flood(std::size_t first, std::uint32_t body, std::vector<std::uint32_t>& body_of) const {
     const std::array<std::size_t, 3> steps = {counts_[1] * counts_[2], counts_[2], 1};
     std::vector<std::size_t> open = {first};
     body_of[first] = body;
-    std::size_t size = 0;
     Checkpoint checkpoint;
     while (!open.empty()) {
       checkpoint.pass();
       const std::size_t cell = open.back();
       open.pop_back();
-      ++size;
       for (const std::size_t step : steps)
         for (const std::size_t other : {cell - step, cell + step})
           if (kept_.is_kept[other] && body_of[other] == 0) {
@@ -146,22 +171,23 @@ class Repair {
             open.push_back(other);
           }
     }
-    return size;
   }
 
   const std::vector<float>& shares_;
+  const LatticePlanes& planes_;
   const std::array<std::size_t, 3> counts_;
-  const std::size_t bodies_;
+  const std::function<std::vector<Box>()>& small_bodies_;
   KeptCells& kept_;
 };
 
 }  // namespace
 
-KeptCells kept_cells(const std::vector<float>& shares, const LatticePlanes& planes, std::size_t bodies) {
+KeptCells kept_cells(const std::vector<float>& shares, const LatticePlanes& planes,
+                     const std::function<std::vector<Box>()>& small_bodies) {
   KeptCells kept;
   kept.is_kept.resize(shares.size());
   for (std::size_t cell = 0; cell < shares.size(); ++cell) kept.is_kept[cell] = shares[cell] >= kKeptShare;
-  Repair(shares, planes, bodies, kept).run();
+  Repair(shares, planes, small_bodies, kept).run();
   return kept;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "lattice/lattice_planes.hpp"
@@ -22,9 +23,11 @@ struct KeptCells {
 /// Returns the cells of a lattice with half of their volume inside, changed until their surface is a
 /// manifold: at each vertex those that are kept, and those that are not, are each connected by faces. Of the
 /// cells around a vertex where that does not hold, the one whose share is nearest to a half changes, and each
-/// change makes the next of the same cell dearer. Bodies far smaller than the largest (kLeastBody), and not
-/// among the `bodies` largest, are crumbs and left out. The outermost cells must be outside.
-KeptCells kept_cells(const std::vector<float>& shares, const LatticePlanes& planes, std::size_t bodies);
+/// change makes the next of the same cell dearer. Bodies far smaller than the largest (kLeastBody) are crumbs
+/// and left out, unless their middle is in the box of one that small of the model, of `small_bodies()`, which
+/// is called only where there are crumbs. The outermost cells must be outside.
+KeptCells kept_cells(const std::vector<float>& shares, const LatticePlanes& planes,
+                     const std::function<std::vector<Box>()>& small_bodies);
 
 /// Bodies with a smaller share of the largest one's cells are left out.
 inline constexpr double kLeastBody = 0.02;

@@ -133,6 +133,9 @@ std::unique_ptr<SearchedTriangles> searched_face(const FeatureComplex& complex, 
   return part;
 }
 
+/// Quads or triangles at a time: a large triangle has thousands of samples.
+constexpr std::size_t kItemsAtOnce = 16;
+
 /// Of a sample, in sizes.
 struct WeightedDistance {
   double beyond, weight;
@@ -156,9 +159,9 @@ DistanceFigures figures_of(std::size_t items, double size, const Count& count, c
   require_memory(static_cast<double>(first.back() * sizeof(WeightedDistance)),
                  "measuring distances between hexahedra and model", Remedy::kTakeFewerHexahedra);
   std::vector<WeightedDistance> samples(first.back());
-  std::vector<DistanceFigures> of_chunks((items + kParallelGrain - 1) / kParallelGrain);
-  parallel_for_chunks(items, kParallelGrain, [&](std::size_t begin, std::size_t end) {
-    DistanceFigures& figures = of_chunks[begin / kParallelGrain];
+  std::vector<DistanceFigures> of_chunks((items + kItemsAtOnce - 1) / kItemsAtOnce);
+  parallel_for_chunks(items, kItemsAtOnce, [&](std::size_t begin, std::size_t end) {
+    DistanceFigures& figures = of_chunks[begin / kItemsAtOnce];
     for (std::size_t item = begin; item < end; ++item)
       visit(item, [&, at = first[item]](const Vector3& place, double weight, double distance,
                                         double beyond) mutable {

@@ -6,10 +6,12 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/boxes.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "surface/triangle_pairs.hpp"
@@ -204,6 +206,17 @@ std::vector<PartMeeting> distinct_meetings(std::vector<PartMeeting> meetings) {
   return meetings;
 }
 
+/// What a part's box has in common with the inside of another one's; none if that is nothing.
+std::optional<Box> common_box(const Box& own, const Box& other, double margin) {
+  Box box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::max(own.low[axis] - margin, other.low[axis] + margin);
+    box.high[axis] = std::min(own.high[axis] + margin, other.high[axis] - margin);
+    if (!(box.low[axis] < box.high[axis])) return std::nullopt;
+  }
+  return box;
+}
+
 /// Whether a triangle of a part is inside another one: the winding number is more than 1 on both sides.
 bool is_buried(const Surface& surface, std::uint32_t triangle, const WindingNumber& winding) {
   const auto [a, b, c] = surface.corners(triangle);
@@ -220,36 +233,43 @@ std::vector<Box> boxes_of_parts(const MendedSurface& mended) {
   return boxes;
 }
 
-/// Parts of which one reaches into the other cross, although no triangles do where their sides are in common
-/// planes.
+/// Makes meetings overlaps of parts that reach into each other, although no triangles cross where their sides
+/// are in common planes. Of parts that cross others it is not known which they reach into.
 void find_parts_in_each_other(const MendedSurface& mended, const WindingNumber& winding,
                               std::vector<PartMeeting>& meetings) {
-  std::vector<std::vector<std::size_t>> of_part(mended.parts);
-  for (std::size_t k = 0; k < meetings.size(); ++k)
-    if (!meetings[k].crosses)
-      for (const std::uint32_t part : {meetings[k].parts.first, meetings[k].parts.second})
-        of_part[part].push_back(k);
+  if (mended.parts > kMostParts) return;
   const Surface& surface = mended.surface;
-  const std::vector<Box> boxes = boxes_of_parts(mended);
   const double margin = kTolerance * largest_coordinate(surface.box);
+  const std::vector<Box> boxes = boxes_of_parts(mended);
+  std::vector<bool> crosses(mended.parts);
+  for (const PartMeeting& meeting : meetings)
+    if (meeting.crosses) crosses[meeting.parts.first] = crosses[meeting.parts.second] = true;
+  // What two parts may have in common, by the meetings of each part; and of all its meetings.
+  std::vector<std::vector<std::pair<std::size_t, Box>>> common(mended.parts);
+  std::vector<Box> of_part(mended.parts, empty_box());
+  for (std::size_t k = 0; k < meetings.size(); ++k) {
+    const auto& [first, second] = meetings[k].parts;
+    if (crosses[first] || crosses[second]) continue;
+    for (const auto& [part, other] : {std::pair(first, second), std::pair(second, first)})
+      if (const std::optional<Box> box = common_box(boxes[part], boxes[other], margin)) {
+        common[part].emplace_back(k, *box);
+        include(of_part[part], box->low);
+        include(of_part[part], box->high);
+      }
+  }
+  Checkpoint checkpoint;
   for (std::uint32_t t = 0; t < surface.size(); ++t) {
+    checkpoint.pass();
     const std::uint32_t part = mended.part_of[t];
-    if (part == kNoPart || of_part[part].empty()) continue;
+    if (part == kNoPart || common[part].empty()) continue;
     const auto [a, b, c] = surface.corners(t);
     const Vector3 centre = (1.0 / 3) * (a + b + c);
-    for (const std::size_t k : of_part[part]) {
-      PartMeeting& meeting = meetings[k];
-      const Box& other = boxes[meeting.parts.first == part ? meeting.parts.second : meeting.parts.first];
-      const bool is_in_box = [&] {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          if (centre[axis] <= other.low[axis] + margin || centre[axis] >= other.high[axis] - margin)
-            return false;
-        return true;
-      }();
-      if (meeting.crosses || !is_in_box || !is_buried(surface, t, winding)) continue;
-      meeting.crosses = true;
-      meeting.place = centre;
-    }
+    if (!contains(of_part[part], centre) || !is_buried(surface, t, winding)) continue;
+    for (const auto& [k, box] : common[part])
+      if (!meetings[k].crosses && contains(box, centre)) {
+        meetings[k].crosses = true;
+        meetings[k].place = centre;
+      }
   }
 }
 

@@ -52,20 +52,22 @@ std::vector<int> euler_numbers_of_shells(std::span<const std::array<std::uint32_
   return numbers;
 }
 
-std::size_t count_bodies(std::span<const std::array<std::uint32_t, 3>> triangles,
-                         std::span<const Vector3> vertices) {
+std::vector<ShellBody> bodies_in(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                 std::span<const Vector3> vertices) {
   DisjointSets shells(triangles.size());
   for_each_edge(sorted_edge_uses(triangles), [&](std::span<const EdgeUse> edge) {
     for (const EdgeUse& use : edge) shells.join(edge[0].triangle, use.triangle);
   });
-  std::vector<double> volumes(triangles.size(), 0);  // by the shell's root, of tets with a point of it
+  std::vector<ShellBody> all(triangles.size(), {empty_box(), 0});  // by the shell's root
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const std::uint32_t root = shells.root(t);
     const Vector3& apex = vertices[triangles[root][0]];
     const auto& [a, b, c] = triangles[t];
-    volumes[root] += dot(vertices[a] - apex, cross(vertices[b] - apex, vertices[c] - apex));
+    all[root].volume += dot(vertices[a] - apex, cross(vertices[b] - apex, vertices[c] - apex)) / 6;
+    for (const std::uint32_t v : triangles[t]) include(all[root].box, vertices[v]);
   }
-  return static_cast<std::size_t>(std::ranges::count_if(volumes, [](double volume) { return volume > 0; }));
+  std::erase_if(all, [](const ShellBody& body) { return !(body.volume > 0); });
+  return all;
 }
 
 }  // namespace crossgrain

@@ -18,9 +18,15 @@ namespace crossgrain {
 /// Triangles with a repeated vertex do not count.
 std::vector<int> euler_numbers_of_shells(std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Returns the number of bodies that a closed surface bounds: of its shells whose triangles enclose them and
-/// not a void, as their order of corners says.
-std::size_t count_bodies(std::span<const std::array<std::uint32_t, 3>> triangles,
-                         std::span<const Vector3> vertices);
+/// What a shell encloses.
+struct ShellBody {
+  Box box;
+  double volume;
+};
+
+/// Returns the bodies that a closed surface bounds: of its shells, those whose triangles enclose them and not
+/// a void, as their order of corners says.
+std::vector<ShellBody> bodies_in(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                 std::span<const Vector3> vertices);
 
 }  // namespace crossgrain

@@ -64,6 +64,7 @@ class WrongUsage(CommandTest):
         for flag in ("--quiet=no-word", "--lattice=5", "--lattice=false"):
             self.refuse(["hex", "a.stl", flag], flag.split("=")[0] + " takes no value")
         self.refuse(["hex", "a.stl", "--threads", "1e3"], "--threads takes a whole number, 0 or more, not 1e3")
+        self.refuse(["hex", "a.stl", "--quiet", "--", "b.stl"], "hex takes one MODEL; 'b.stl' is one too many")
         self.refuse(["hex", "--", "a.stl", "-b.stl"], "hex takes one MODEL; '-b.stl' is one too many")
 
     def test_help_of_a_command_is_the_same_either_way(self):

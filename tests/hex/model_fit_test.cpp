@@ -133,7 +133,7 @@ TEST(ModelFit, IsPoorWithMuchLessVolumeOrFarFromTheSurface) {
   report.volume = 97;
   EXPECT_EQ(poor_fit(report)->text,
             "the hexahedra have 3 % less volume than the model, those of 1.1 about 1 %");
-  EXPECT_EQ(poor_fit(report)->remedy, Remedy::kUseHexSize);
+  EXPECT_EQ(poor_fit(report)->remedy, Remedy::kNone) << "what was tried is not known here";
   report.outcome = HexOutcome::kNone;
   report.volume = 100.5;
   report.largest_distance_of_model = 1.5;

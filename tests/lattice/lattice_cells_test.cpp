@@ -43,12 +43,16 @@ int parts_around(const std::vector<bool>& filled, bool value) {
   return parts;
 }
 
+std::vector<Box> no_bodies() {
+  return {};
+}
+
 TEST(LatticeCells, AreThoseWithHalfOfTheirVolumeInside) {
   Box3 box{6};
   for (std::size_t i = 1; i < 5; ++i)
     for (std::size_t j = 1; j < 5; ++j)
       for (std::size_t k = 1; k < 5; ++k) box.at(i, j, k) = i == 4 ? 0.49F : i == 1 ? 0.5F : 1;
-  const KeptCells kept = kept_cells(box.shares, cube_planes(6), 1);
+  const KeptCells kept = kept_cells(box.shares, cube_planes(6), no_bodies);
   EXPECT_EQ(std::ranges::count(kept.is_kept, 1), 3 * 16);
   EXPECT_EQ(kept.toggled, 0u);
   EXPECT_EQ(kept.faults, 0u);
@@ -64,7 +68,7 @@ TEST(LatticeCells, TouchingInAnEdgeOrAVertexAreSeparatedOrJoined) {
     };
     fill(1, 1, 1);
     fill(4, 4, in_edge ? 1 : 4);
-    const KeptCells kept = kept_cells(box.shares, cube_planes(8), 1);
+    const KeptCells kept = kept_cells(box.shares, cube_planes(8), no_bodies);
     EXPECT_EQ(kept.faults, 0u);
     EXPECT_GT(kept.toggled, 0u);
   }
@@ -79,7 +83,7 @@ TEST(LatticeCells, AreManifoldWhateverTheShares) {
     for (std::size_t i = 1; i + 1 < kCells; ++i)
       for (std::size_t j = 1; j + 1 < kCells; ++j)
         for (std::size_t k = 1; k + 1 < kCells; ++k) box.at(i, j, k) = any(random);
-    const KeptCells kept = kept_cells(box.shares, cube_planes(kCells), 1);
+    const KeptCells kept = kept_cells(box.shares, cube_planes(kCells), no_bodies);
     if (kept.faults > 0) continue;
     for (std::size_t i = 1; i < kCells; ++i)
       for (std::size_t j = 1; j < kCells; ++j)
@@ -100,10 +104,15 @@ TEST(LatticeCells, AreNoCrumbs) {
     for (std::size_t j = 1; j < 8; ++j)
       for (std::size_t k = 1; k < 8; ++k) box.at(i, j, k) = 1;
   box.at(10, 10, 10) = 0.6F;
-  const KeptCells kept = kept_cells(box.shares, cube_planes(12), 1);
+  const KeptCells kept = kept_cells(box.shares, cube_planes(12), no_bodies);
   EXPECT_EQ(std::ranges::count(kept.is_kept, 1), 7 * 7 * 7);
-  const KeptCells of_two_bodies = kept_cells(box.shares, cube_planes(12), 2);
-  EXPECT_EQ(std::ranges::count(of_two_bodies.is_kept, 1), 7 * 7 * 7 + 1);
+  const auto body_around = [&](double low, double high) {
+    const auto body = [=] { return std::vector{Box{{low, low, low}, {high, high, high}}}; };
+    return std::ranges::count(kept_cells(box.shares, cube_planes(12), body).is_kept, 1);
+  };
+  const std::vector<double> at = cube_planes(12).at[0];
+  EXPECT_EQ(body_around(at[10], at[11]), 7 * 7 * 7 + 1) << "a small body of the model";
+  EXPECT_EQ(body_around(at[8], at[9]), 7 * 7 * 7) << "a crumb of another one";
 }
 
 }  // namespace

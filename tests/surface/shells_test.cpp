@@ -40,15 +40,16 @@ TEST(EulerNumbersOfShells, AreNoneOfWhatDoesNotCloseUp) {
   EXPECT_TRUE(euler_numbers_of_shells({}).empty());
 }
 
-TEST(CountBodies, CountsNoVoids) {
+TEST(BodiesIn, AreNoVoids) {
   TriangleMesh hollow = make_sphere(1, 2), core = make_sphere(0.3, 2);
   TriangleMesh wall = make_sphere(0.6, 2);
   for (auto& [a, b, c] : wall.triangles) std::swap(b, c);
-  const TriangleMesh with_void = together(hollow, wall);
-  EXPECT_EQ(count_bodies(with_void.triangles, with_void.vertices), 1U);
-  const TriangleMesh with_core = together(with_void, core);
-  EXPECT_EQ(count_bodies(with_core.triangles, with_core.vertices), 2U);
-  EXPECT_EQ(count_bodies({}, {}), 0U);
+  const TriangleMesh all = together(together(hollow, wall), core);
+  const std::vector<ShellBody> bodies = bodies_in(all.triangles, all.vertices);
+  ASSERT_EQ(bodies.size(), 2U);
+  EXPECT_NEAR(bodies[1].volume / bodies[0].volume, 0.027, 1e-9);
+  EXPECT_NEAR(bodies[1].box.high[0], 0.3, 1e-9);
+  EXPECT_TRUE(bodies_in({}, {}).empty());
 }
 
 TEST(EulerNumbersOfShells, DoNotCountTrianglesWithARepeatedVertex) {
