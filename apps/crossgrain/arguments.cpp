@@ -183,7 +183,7 @@ bool parse(CLI::App& app, int argc, char** argv) {
     if (error.get_exit_code() != 0) {
       const std::vector<CLI::App*> given = app.get_subcommands();
       const CLI::App* const command = given.empty() ? &app : given.front();
-      refuse(fault_of_usage(error, *command), command);
+      refuse(fault_of_usage(error, *command, {argv + 1, argv + argc}), command);
     }
     std::ostringstream text;
     app.exit(error, text, text);

@@ -55,7 +55,7 @@ std::string surplus_word(const std::string& word, const CLI::App& command) {
   return fault;
 }
 
-std::string surplus(const CLI::App& command) {
+std::string surplus(const CLI::App& command, const std::vector<std::string>& given) {
   std::vector<std::string> words = command.remaining();
   const auto mark = std::ranges::find(words, "--");  // no options follow
   const auto option = std::find_if(words.begin(), mark, is_option);
@@ -63,9 +63,10 @@ std::string surplus(const CLI::App& command) {
   std::erase(words, "--");
   if (words.empty()) {
     // CLI11 keeps words before the command with the program.
-    std::vector<std::string> early = command.get_parent()->remaining();
-    if (const auto end = std::ranges::find(early, "--"); end != early.end() && end + 1 != early.end())
-      return surplus_word(*(end + 1), command);
+    // It keeps those after a mark too, which stand behind the command.
+    const std::vector<std::string> early = command.get_parent()->remaining();
+    if (std::ranges::find(given, early.front()) > std::ranges::find(given, command.get_name()))
+      return surplus_word(early.front(), command);
     return fmt::format("'{}' is before the command; give {} first", early.front(), command.get_name());
   }
   return surplus_word(words.front(), command);
@@ -96,9 +97,10 @@ std::string missing(const std::string& text, const CLI::App& command) {
 
 }  // namespace
 
-std::string fault_of_usage(const CLI::ParseError& error, const CLI::App& command) {
+std::string fault_of_usage(const CLI::ParseError& error, const CLI::App& command,
+                           const std::vector<std::string>& given) {
   const std::string text = error.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return surplus(command);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return surplus(command, given);
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing(text, command);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return wrong_count(text, command);
   if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {  // only of flags: others have checks

@@ -13,8 +13,10 @@ class ParseError;
 namespace crossgrain::app {
 
 /// Returns what is wrong with a command line that CLI11 refuses: "there is no option --sise; did you mean
-/// --size?". `command` is the one that was given, or the program.
-std::string fault_of_usage(const CLI::ParseError& error, const CLI::App& command);
+/// --size?". `command` is the one that was given, or the program; `given` are all words after the program's
+/// name.
+std::string fault_of_usage(const CLI::ParseError& error, const CLI::App& command,
+                           const std::vector<std::string>& given);
 
 /// Returns the fault of a first word that is no command: it names the nearest command, or `solve` if the word
 /// is a file.

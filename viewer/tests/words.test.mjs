@@ -56,7 +56,7 @@ test("the worst hexahedron of a mesh of boxes is no place to look at", () => {
 });
 
 test("remedies are told in the options that the terminal names", () => {
-  assert.equal(advice_on("take_smaller_hexahedra", undefined, "take smaller hexahedra"), "lower --size, or raise --cells");
+  assert.equal(advice_on("take_larger_hexahedra", undefined, "take larger hexahedra"), "raise --size, or lower --cells");
   assert.equal(advice_on("use_edge_length", 3.6, "take tets with edges of 3.6"), "try --tet-size 3.6");
   assert.equal(advice_on("cut_corner", undefined, "cut the corner off"), "cut the corner off");
   assert.equal(advice_on(undefined, undefined, undefined), "");
