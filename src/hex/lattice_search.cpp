@@ -122,6 +122,7 @@ bool LatticeSearch::prepare() {
 }
 
 std::string LatticeSearch::plan() const {
+  if (!prepared_) return fmt::format("a lattice of {:.3g}", next_size_);
   const std::string words = prepared_->is_finer ? "finer planes of the lattice there"
                                                 : fmt::format("a lattice of {:.3g}", prepared_->size);
   return prepared_->is_alike ? fmt::format("{}, {}", words, about(expected())) : words;

@@ -47,9 +47,12 @@ class LatticeSearch {
   /// Makes the cells of the next lattice, if that is not done yet; returns whether there is one.
   bool prepare();
 
-  /// Of the lattice that is prepared: what it is, for the user: "a lattice of 2.1, about 1200 hexahedra"; its
-  /// size; and about how many hexahedra it becomes, most often within a factor of two.
+  /// What the next lattice is, for the user: "a lattice of 2.1, about 1200 hexahedra"; less where it could
+  /// not be prepared.
   std::string plan() const;
+
+  /// Of the lattice that is prepared: its size; and about how many hexahedra it becomes, most often within a
+  /// factor of two.
   double size() const;
   double expected() const;
 
