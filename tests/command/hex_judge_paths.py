@@ -55,7 +55,7 @@ class KeptFeatures:
                     vertex = int(self.used[k])
                     others = places.setdefault(vertex, set())
                     if abs(near.get(vertex, at) - at) < self.size:  # the nearest place is the corner's surroundings
-                        others.clear()
+                        others.discard(near.get(vertex))
                     others.add(at)
         pairs = [(int(a), one, int(b), other) for a, b in self.edges if a in places and b in places
                  for one in places[a] for other in places[b]]

@@ -5,14 +5,16 @@
 import shutil
 import subprocess
 import unittest
+from types import SimpleNamespace
 
 import numpy as np
 
 from hex_judge import Verdict, judged
-from hex_judge_curves import Features
+from hex_judge_curves import Curve, Features
 from hex_judge_distances import NearestTriangle
 from hex_judge_mesh import PLACES, HexFile, are_valid, determinants
 from hex_judge_model import Model
+from hex_judge_paths import KeptFeatures
 from program import CommandTest, cylinder_triangles, tet_box
 
 CELLS = (4, 3, 3)
@@ -227,6 +229,16 @@ class FeaturesTest(unittest.TestCase):
         vertices, tets = tet_box()
         self.assertEqual(len(Features(Model.of_tets(vertices, tets), 0.3).curves), 12)
         self.assertEqual(len(Features(Model.of_tets(vertices, tets, lines=[(0, 1)]), 0.3).curves), 12)
+
+    def test_a_crease_around_from_a_corner_is_kept_by_edges_all_around(self):
+        angles = np.radians(np.arange(0, 361, 45))
+        ring = np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)
+        features = SimpleNamespace(size=0.75, corners=ring[:1], curves=[Curve(ring, (0, 0), np.ones(8), np.ones(8))])
+        points = np.concatenate([ring[:8], [(0, 0, 0)]])
+        points[0, 1] = -0.02  # nearest to the end of the crease, which is also its start
+        quads = np.array([(8, k, k + 1, (k + 2) % 8) for k in range(0, 8, 2)])
+        self.assertEqual(KeptFeatures(features, points, quads).shares, [1.0])
+        self.assertLess(KeptFeatures(features, points, quads[:3]).shares[0], 0.8)
 
 
     def test_a_tagged_edge_where_a_rounding_begins_is_no_crease(self):
