@@ -333,8 +333,8 @@ std::vector<double> cut_off_by_quads(const HexMesh& mesh, std::span<const Surfac
       const Vector3 &a = mesh.vertices[quads[q].vertices[k]], &b = mesh.vertices[quads[q].vertices[k + 2]];
       const Vector3 turn =
           trees.normal_on_face(face_of_quad[q], b) - trees.normal_on_face(face_of_quad[q], a);
-      // |turn . (b - a)| is k e^2.
-      cut_off[q] += std::abs(dot(turn, b - a)) / 8;
+      // |turn . (b - a)| is k d^2.
+      cut_off[q] += std::abs(dot(turn, b - a)) / 16;
     }
   });
   return cut_off;

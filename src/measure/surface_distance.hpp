@@ -48,8 +48,9 @@ class FeatureTrees {
   std::unique_ptr<const Trees> trees_;
 };
 
-/// Returns for each quad by how much a curved surface leaves it, model units: k e^2 / 8 for its diagonals of
-/// length e, where the normals of its face turn by k e in their direction, added.
+/// Returns for each quad by how much a curved surface leaves it, model units: k d^2 / 16 for its diagonals of
+/// length d, where the normals of its face turn by k d in their direction, added. That is the depth of the
+/// middle of a parallelogram with corners on a quadric.
 std::vector<double> cut_off_by_quads(const HexMesh& mesh, std::span<const SurfaceQuad> quads,
                                      std::span<const std::uint32_t> face_of_quad, const FeatureTrees& trees);
 
