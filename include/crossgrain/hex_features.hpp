@@ -82,7 +82,8 @@ enum class HexFitWay : int {
   kAsMapped,  ///< it is left as it was extracted and smoothed
   kSnapped,   ///< single vertices are moved onto corners, creases and faces
   kFitted,    ///< all vertices are moved at once, then single ones
-  kLayered    ///< the same, with layers of hexahedra where the model's angles need them
+  kLayered,   ///< the same, with layers of hexahedra where the model's angles need them
+  kPadded     ///< the same, with one layer of hexahedra everywhere at the surface
 };
 
 /// Returns a name for files and scripts: "as_mapped".

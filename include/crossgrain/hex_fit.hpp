@@ -58,10 +58,10 @@ struct FittedHexahedra {
 
 /// Puts hexahedra of any mesher, which roughly fill a model, onto its corners, creases and faces. The result
 /// is the best by measurement of: the mesh as given; moved onto the features; and the same with layers of
-/// hexahedra where angles need them (HexReport::fit_tries). Given vertices and hexahedra keep their order,
-/// and hexahedra their regions; new ones follow. Quads have the numbers of the model's faces. The report says
-/// what is kept, and the outcome as for `make_hexahedra`: kPartial if some stay inverted, or if the surface
-/// has another topology than the model's; HexReport::size is the median edge.
+/// hexahedra where angles need them, or one everywhere (HexReport::fit_tries). Given vertices and hexahedra
+/// keep their order, and hexahedra their regions; new ones follow. Quads have the numbers of the model's
+/// faces. The report says what is kept, and the outcome as for `make_hexahedra`: kPartial if some stay
+/// inverted, or if the surface has another topology than the model's; HexReport::size is the median edge.
 ///
 /// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`, in the
 /// coordinates of the hexahedra; its solids are one, as are hexahedra of all regions: faces between regions

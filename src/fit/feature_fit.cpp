@@ -54,10 +54,13 @@ int class_of(double least) {
                                                 [&](double bound) { return least >= bound; }));
 }
 
-void require_memory_of(const HexMesh& fitted) {
-  const std::size_t count = fitted.hexahedra.size();
-  require_memory(kBytesOfFittedHexahedron * static_cast<double>(count),
-                 fmt::format("fitting {} hexahedra to the model", count), Remedy::kTakeFewerHexahedra);
+/// Layers that are dearer than others by this are not tried where only shapes are poor.
+constexpr double kMostBeside = 2;
+
+void require_memory_of(double hexahedra) {
+  require_memory(kBytesOfFittedHexahedron * hexahedra,
+                 fmt::format("fitting {:.0f} hexahedra to the model", hexahedra),
+                 Remedy::kTakeFewerHexahedra);
 }
 
 struct SortedQuad {
@@ -145,6 +148,15 @@ class FittingWays {
   }
 
   bool is_good() const { return fit_.best.is_good(); }
+
+  /// Whether the mesh was moved, and is off the model by what other layers do not mend.
+  bool is_elsewhere() const {
+    constexpr double kElsewhere = 0.5;
+    const SurfaceDistances& distances = fit_.best.measure.distances;
+    const double most = std::max(distances.of_mesh.largest_in_all, distances.of_model.largest_in_all);
+    return !is_as_given() && fit_.best.invalid == 0 && most > kElsewhere;
+  }
+  bool is_faithful() const { return fit_.best.invalid == 0 && fit_.best.measure.is_faithful(); }
   bool is_fair() const { return is_good() && fit_.best.least >= kFairShape; }
   bool is_as_given() const { return fit_.best_try == 0; }
 
@@ -158,17 +170,44 @@ class FittingWays {
 
   /// A mesh that is nearly on its features stays as it is elsewhere.
   void snap() {
-    require_memory_of(embedded_.mesh);
+    require_memory_of(static_cast<double>(embedded_.mesh.hexahedra.size()));
     keep_moved(HexFitWay::kSnapped, embedded_, {.point_rounds = 0, .slide_rounds = 0, .relaxations = 1});
   }
 
   void fit() { keep_moved(HexFitWay::kFitted, embedded_, {}); }
 
+  /// With layers where they are needed, or with one everywhere: first that of fewer hexahedra; the other
+  /// unless the first is good, or keeps all and the other is dearer by kMostBeside, or the first is
+  /// elsewhere.
   void fit_with_layers() {
-    Embedded layered = embedded_;
-    add_layers(layered.mesh, layered.features, layered.embedding);
-    require_memory_of(layered.mesh);
-    if (is_manifold(layered.mesh)) keep_moved(HexFitWay::kLayered, layered, {});
+    struct Way {
+      HexFitWay way;
+      AddedLayers (*add)(HexMesh&, const FeatureComplex&, Embedding&);
+      Embedded embedded;
+      std::size_t added = 0;
+      bool is_usable = false;
+    };
+    require_memory_of(static_cast<double>(embedded_.mesh.hexahedra.size() + embedded_.mesh.boundary.size()));
+    std::array<Way, 2> ways{
+        {{HexFitWay::kLayered, add_layers, embedded_}, {HexFitWay::kPadded, add_padding, embedded_}}};
+    for (Way& way : ways) {
+      way.added = way.add(way.embedded.mesh, way.embedded.features, way.embedded.embedding).hexahedra();
+      way.is_usable = is_manifold(way.embedded.mesh);
+    }
+    // Both may be the same.
+    Way &layered = ways[0], &padded = ways[1];
+    padded.is_usable &= padded.added > 0 && (padded.added != layered.added || !layered.is_usable);
+    if (padded.is_usable && (padded.added < layered.added || !layered.is_usable)) std::swap(layered, padded);
+    const auto most = kMostBeside * static_cast<double>(ways[0].embedded.mesh.hexahedra.size());
+    for (const Way& way : ways) {
+      if (!way.is_usable) continue;
+      const bool is_first = &way == &ways[0];
+      if (is_good() || (!is_first && is_elsewhere())) return;
+      const auto number = static_cast<double>(way.embedded.mesh.hexahedra.size());
+      if (!is_first && is_faithful() && number > most) return;
+      require_memory_of(number);
+      keep_moved(way.way, way.embedded, {});
+    }
   }
 
   void stop() { fit_.is_stopped = true; }
@@ -281,7 +320,7 @@ FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& feature
         if (!ways.is_good()) ways.fit_with_layers();
       } else {
         ways.fit_with_layers();
-        if (ways.is_as_given()) ways.snap();
+        if (!ways.is_faithful()) ways.snap();
       }
     }
   } catch (const Error& error) {

@@ -40,15 +40,16 @@ struct FeatureFit {
 };
 
 /// Which ways are tried: of the cells of a lattice, steps stand where faces are, and only layers of new
-/// hexahedra turn these into faces.
+/// hexahedra turn these into faces; single vertices are moved there where these keep less.
 enum class FitWays { kAll, kLayersOnly };
 
 /// Returns the best of: the mesh as given; it with single vertices moved onto the features after these are
 /// embedded in its surface; with all vertices moved at once; and the same with layers where the model's
-/// angles need them. A way is tried only if those before have lost something, or have shapes below
-/// kGoodShape; and none on a mesh that touches itself in an edge or a vertex. The best is valid; then it
-/// lacks the fewest features; then is near the surface; then its worst hexahedron is of the better class;
-/// then it has less than half as many poor ones; then fewer hexahedra.
+/// angles need them, or with one everywhere (first the way of fewer hexahedra). A way is tried only if those
+/// before have lost something, or have shapes below kGoodShape; and none on a mesh that touches itself in an
+/// edge or a vertex. The best is valid; then it lacks the fewest features; then is near the surface; then its
+/// worst hexahedron is of the better class; then it has less than half as many poor ones; then fewer
+/// hexahedra.
 ///
 /// `size` is about the edge of the hexahedra. Quads have the number of the model's face that they lie on.
 /// Old vertices and hexahedra keep their numbers. Regions stay; hexahedra of all regions are one solid here.

@@ -57,15 +57,21 @@ class LayerAddition {
       add_layers_under_faces(needs.has_flat_edges);
       add_pillows();
     }
-    const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh_);
-    added_.inverted = static_cast<std::size_t>(std::ranges::count(is_inverted, 1));
-    return added_;
+    return counted();
+  }
+
+  AddedLayers run_everywhere() {
+    add_layer(sides_below(std::vector<std::uint8_t>(features_.faces.size(), 1)));
+    add_pillows();
+    return counted();
   }
 
  private:
   EmbeddedMesh embedded() const { return {mesh_, features_, embedding_, wedges_, surface_}; }
 
   void add_layers_under_faces(const std::vector<std::uint8_t>& wants_layer);
+  void add_layer(const std::vector<std::uint8_t>& is_covered_side);
+  AddedLayers counted();
   void add_pillows();
   std::vector<std::uint8_t> sides_below(const std::vector<std::uint8_t>& is_chosen) const;
   std::size_t insert(const HexSheet& sheet);
@@ -110,17 +116,27 @@ std::size_t LayerAddition::insert(const HexSheet& sheet) {
   return inserted.base.size();
 }
 
+void LayerAddition::add_layer(const std::vector<std::uint8_t>& is_covered_side) {
+  std::vector<std::uint8_t> all(mesh_.hexahedra.size(), 1);
+  const std::size_t count =
+      insert(sheet_around(mesh_, std::move(all), opposite_sides(mesh_),
+                          [&](std::uint32_t side) { return is_covered_side[side] != 0; }));
+  added_.layers += count > 0;
+  added_.layer_hexahedra += count;
+}
+
+AddedLayers LayerAddition::counted() {
+  const std::vector<std::uint8_t> is_inverted = inverted_hexahedra(mesh_);
+  added_.inverted = static_cast<std::size_t>(std::ranges::count(is_inverted, 1));
+  return added_;
+}
+
 void LayerAddition::add_layers_under_faces(const std::vector<std::uint8_t>& wants_layer) {
   std::vector<std::uint8_t> is_done(wants_layer.size(), 0);
   for (std::uint32_t face = 0; face < is_done.size(); ++face) {
     if (!wants_layer[face] || is_done[face]) continue;
     const std::vector<std::uint8_t> is_covered = layer_extent(embedded(), face);
-    const std::vector<std::uint8_t> covered = sides_below(is_covered);
-    std::vector<std::uint8_t> all(mesh_.hexahedra.size(), 1);
-    const std::size_t count = insert(sheet_around(mesh_, std::move(all), opposite_sides(mesh_),
-                                                  [&](std::uint32_t side) { return covered[side] != 0; }));
-    added_.layers += count > 0;
-    added_.layer_hexahedra += count;
+    add_layer(sides_below(is_covered));
     for (std::size_t other = 0; other < is_done.size(); ++other) is_done[other] |= is_covered[other];
   }
 }
@@ -199,6 +215,10 @@ void LayerAddition::add_pillows() {
 
 AddedLayers add_layers(HexMesh& mesh, const FeatureComplex& features, Embedding& embedding) {
   return LayerAddition(mesh, features, embedding).run();
+}
+
+AddedLayers add_padding(HexMesh& mesh, const FeatureComplex& features, Embedding& embedding) {
+  return LayerAddition(mesh, features, embedding).run_everywhere();
 }
 
 }  // namespace crossgrain

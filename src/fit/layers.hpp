@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers of hexahedra at the surface of an embedding, where it needs them.
+// Layers of hexahedra at the surface of an embedding, where it needs them or everywhere.
 #pragma once
 
 #include <cstddef>
@@ -34,5 +34,8 @@ struct AddedLayers {
 /// The embedding stays true: vertices of the surface and of paths keep their numbers, and where a layer dives
 /// along a curve its path has a vertex more. Between solids, layers are on both sides.
 AddedLayers add_layers(HexMesh& mesh, const FeatureComplex& features, Embedding& embedding);
+
+/// Adds one layer under all faces, so that each quad has a hexahedron of its own, and then pillows as above.
+AddedLayers add_padding(HexMesh& mesh, const FeatureComplex& features, Embedding& embedding);
 
 }  // namespace crossgrain

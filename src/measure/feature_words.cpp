@@ -67,8 +67,8 @@ const char* name_of(HexLackKind kind) {
 }
 
 const char* name_of(HexFitWay way) {
-  constexpr std::array kNames{"as_mapped", "snapped", "fitted", "layered"};
-  return name_among<HexFitWay::kLayered>(kNames, way);
+  constexpr std::array kNames{"as_mapped", "snapped", "fitted", "layered", "padded"};
+  return name_among<HexFitWay::kPadded>(kNames, way);
 }
 
 std::string topology_of(const HexFeatures& features) {

@@ -58,11 +58,13 @@ std::vector<int> euler_of_faces(const QuadComplex& surface, const Embedding& emb
 /// A model in a lattice, and what comes of the mesh with layers.
 class Layered {
  public:
-  Layered(const HexMesh& given, const LatticeModel& lattice)
+  using Addition = AddedLayers (*)(HexMesh&, const FeatureComplex&, Embedding&);
+
+  Layered(const HexMesh& given, const LatticeModel& lattice, Addition add = add_layers)
       : before(given), mesh(given), model(given, lattice), embedding(model.embedding) {
     needs_before = needs();
     euler_before = euler();
-    added = add_layers(mesh, model.features, embedding);
+    added = add(mesh, model.features, embedding);
     needs_after = needs();
   }
 
@@ -134,6 +136,18 @@ TEST(Layers, OfABoxAreNone) {
   EXPECT_EQ(box.needs_before.wide_sectors + box.needs_before.flat_edges + box.needs_before.unsuited_edges,
             0u);
   box.expect_sound();
+}
+
+TEST(Padding, GivesEachQuadOfABoxAHexahedron) {
+  const Layered box(lattice_mesh({3, 4, 3}, [](int, int, int) { return 1; }), {.face = plane_of},
+                    add_padding);
+  EXPECT_EQ(box.added.layer_hexahedra, 2u * (12 + 12 + 9));
+  EXPECT_EQ(box.added.pillows, 0u);
+  EXPECT_EQ(box.added.inverted, 0u);
+  box.expect_sound();
+  std::vector<std::size_t> sides(box.mesh.hexahedra.size(), 0);
+  for (const HexSide& side : boundary_of(box.mesh)) ++sides[side.hexahedron];
+  EXPECT_EQ(*std::ranges::max_element(sides), 1u);
 }
 
 TEST(Layers, OfAnLShapeAndOfANotchAreNone) {
