@@ -67,7 +67,8 @@ class LatticeAttempt : public AttemptKind {
     HexCandidate& candidate = candidates.front();
     candidate.attempt = trial.attempt;
     candidate.attempt.round = round(queue);
-    candidate.attempt.work = kFittingWork * static_cast<double>(trial.attempt.hexahedra);
+    candidate.attempt.work =
+        kFittingWork * std::max(trial.moved, static_cast<double>(trial.attempt.hexahedra));
     candidate.asked_size = asked_size_;
     candidate.text = std::move(trial.text);
     if (trial.better) {

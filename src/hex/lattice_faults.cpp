@@ -59,9 +59,12 @@ std::vector<Fault> faults_of(const HexMesh& mesh, const HexFeatures& features, c
 
 std::vector<FinePlace> places_to_refine(const HexMesh& mesh, const HexReport& report, const Surface& model,
                                         double size, const std::vector<FinePlace>& earlier) {
-  std::vector<FinePlace> fine;
-  if (!report.features) return fine;
-  for (const Fault& fault : faults_of(mesh, *report.features, model, size)) {
+  if (!report.features) return {};
+  const std::vector<Fault> faults = faults_of(mesh, *report.features, model, size);
+  if (faults.empty()) return {};
+  // Without the earlier ones their faults would come back.
+  std::vector<FinePlace> fine = earlier;
+  for (const Fault& fault : faults) {
     double here = size;
     for (const FinePlace& other : earlier)
       if (norm(other.at - fault.place) < 2 * other.size) here = std::min(here, other.size);

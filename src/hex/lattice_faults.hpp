@@ -11,9 +11,10 @@
 
 namespace crossgrain {
 
-/// Returns the places where hexahedra of about `size` are badly shaped, lack a feature, or are farther from
-/// the surface than kFarOff; none if the report has no features. Each has the size that is to be tried there:
-/// kFinerSize of that at the nearest place in `earlier` (which it is near to), else of `size`.
+/// Returns the places in `earlier`, and those where hexahedra of about `size` are badly shaped, lack a
+/// feature, or are farther from the surface than kFarOff; none if there are no new ones, or the report has no
+/// features. Each new one has the size that is to be tried there: kFinerSize of that at the nearest place in
+/// `earlier` (which it is near to), else of `size`.
 std::vector<FinePlace> places_to_refine(const HexMesh& mesh, const HexReport& report, const Surface& model,
                                         double size, const std::vector<FinePlace>& earlier);
 

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -76,8 +77,9 @@ double fitted_count(const Lattice& lattice) {
 struct LatticeSearch::Prepared {
   Lattice lattice;
   double size;
-  bool is_alike;  ///< of the model's topology, or nothing else is left
-  bool is_finer;  ///< in places, than one before of the same size
+  bool is_alike;   ///< of the model's topology, or nothing else is left
+  bool is_finer;   ///< in places, than one before of the same size
+  bool is_raised;  ///< to a higher level than that
   double seconds;
 };
 
@@ -95,24 +97,27 @@ LatticeSearch::LatticeSearch(const FittingModel& model, double size, const Monit
 LatticeSearch::~LatticeSearch() = default;
 
 bool LatticeSearch::prepare() {
+  if (ended_) std::rethrow_exception(std::exchange(ended_, nullptr));
   Stopwatch stopwatch;
   while (!prepared_ && !is_done() && may_take(next_size_)) {
     const double size = next_size_;
     // A lattice of millions takes long to find that out.
     constexpr double kCertainly = 2;
-    if (best_ && fitted_ + expected_ * raised(asked_size_ / size, 3) > kCertainly * kMostFitted) {
+    const double most = most_fitted();
+    if (best_ &&
+        (fitted_ >= most || fitted_ + expected_ * raised(asked_size_ / size, 3) > kCertainly * most)) {
       next_coarse();
       continue;
     }
     Lattice lattice = lattice_at(size);
     const auto cells = static_cast<double>(lattice.mesh.hexahedra.size());
-    if (best_ && (cells > kMostOfLattice * expected_ || fitted_ + cells > kMostFitted)) {
-      next_coarse();
+    if (best_ && (cells > std::max(kFew, kMostOfLattice * expected_) || fitted_ + cells > most)) {
+      is_raised_ ? give_up_level() : next_coarse();
       continue;
     }
     const bool is_alike = lattice.shells == shells_ || may_be_joined(lattice);
     prepared_ = std::make_unique<Prepared>(
-        Prepared{std::move(lattice), size, is_alike, !fine_.empty(), stopwatch.restart()});
+        Prepared{std::move(lattice), size, is_alike, !fine_.empty(), is_raised_, stopwatch.restart()});
   }
   if (!prepared_ && !best_ && other_) {
     prepared_ = std::move(other_);
@@ -123,8 +128,9 @@ bool LatticeSearch::prepare() {
 
 std::string LatticeSearch::plan() const {
   if (!prepared_) return fmt::format("a lattice of {:.3g}", next_size_);
-  const std::string words = prepared_->is_finer ? "finer planes of the lattice there"
-                                                : fmt::format("a lattice of {:.3g}", prepared_->size);
+  const std::string words = prepared_->is_finer    ? "finer planes of the lattice there"
+                            : prepared_->is_raised ? "planes of the lattice at thin walls and narrow holes"
+                                                   : fmt::format("a lattice of {:.3g}", prepared_->size);
   return prepared_->is_alike ? fmt::format("{}, {}", words, about(expected())) : words;
 }
 
@@ -154,7 +160,7 @@ HexAttempt LatticeSearch::begin(const Prepared& prepared) {
 /// A lattice of another topology than the model.
 LatticeSearch::Trial LatticeSearch::skipped(Prepared& prepared) {
   const HexAttempt attempt = begin(prepared);
-  next_coarse();
+  prepared.is_raised ? give_up_level() : next_coarse();
   if (attempt.hexahedra == 0) return {attempt, "no cell of the lattice is inside the model", {}};
   std::string text = fmt::format("a lattice of {} has other bodies or holes than the model",
                                  counted(attempt.hexahedra, "cell"));
@@ -176,13 +182,21 @@ LatticeSearch::Trial LatticeSearch::fitted(Prepared& prepared) {
   attempt.outcome = made.report.outcome;
   attempt.hexahedra = made.report.hexahedra;
   attempt.seconds += stopwatch.restart();
-  fitted_ += static_cast<double>(attempt.hexahedra);
-  choose_next(made);
-  Trial trial{attempt, text_of(made.report), {}};
-  if (best_ && !(flaws_of(made.report) < flaws_of(*best_))) return trial;
-  best_ = made.report;
-  has_joined_ = made.has_joined;
-  trial.better = std::move(made);
+  const double before = fitted_;
+  for (const HexFitTry& one : made.report.fit_tries)
+    if (one.way >= HexFitWay::kFitted) fitted_ += static_cast<double>(one.hexahedra);
+  Trial trial{attempt, text_of(made.report), {}, fitted_ - before};
+  const bool is_better = !best_ || flaws_of(made.report) < flaws_of(*best_);
+  if (is_better) {
+    best_ = made.report;
+    has_joined_ = made.has_joined;
+  }
+  try {
+    choose_next(made, prepared, is_better);
+  } catch (const Error&) {
+    ended_ = std::current_exception();  // this mesh is kept
+  }
+  if (is_better) trial.better = std::move(made);
   return trial;
 }
 
@@ -190,24 +204,55 @@ LatticeSearch::Trial LatticeSearch::fitted(Prepared& prepared) {
 void LatticeSearch::next_coarse() {
   next_size_ *= kSmallerSize;
   fine_.clear();
+  is_raised_ = false;
   refinements_ = 0;
 }
 
-/// Goes on with planes nearer to each other where the last lattice lacks something, or with a smaller size
-/// everywhere.
-void LatticeSearch::choose_next(const LatticeHexahedra& last) {
-  const bool is_lacking = last.report.outcome == HexOutcome::kApproximate;
-  if (is_lacking && refinements_ < kMostRefinements) {
-    fine_ = places_to_refine(last.mesh, last.report, surface_, next_size_, fine_);
-    ++refinements_;
-    if (!fine_.empty()) return;
+/// Goes on with planes at thin walls and narrow holes, once, where a lattice lacks something; then with
+/// places to refine; or with a smaller size everywhere.
+void LatticeSearch::choose_next(const LatticeHexahedra& last, const Prepared& prepared, bool is_better) {
+  const WatchedLoops watched(monitor_, Stops::kHeeded);
+  if (prepared.is_raised && !is_better) return give_up_level();
+  // What is needed for the topology at one size keeps the geometry at the next.
+  if (last.report.outcome != HexOutcome::kAllHex)
+    level_ = std::max(level_, std::min(prepared.lattice.level, NarrowLevel::kHoles));
+  std::vector<FinePlace> places;
+  if (last.report.outcome == HexOutcome::kApproximate && refinements_ < kMostRefinements)
+    places = places_to_refine(last.mesh, last.report, surface_, next_size_, fine_);
+  NarrowFeatures narrow = narrow_features();
+  narrow.level = prepared.lattice.level;
+  if (last.report.outcome != HexOutcome::kAllHex && !has_raised_ && narrow.level < NarrowLevel::kHoles &&
+      has_other_planes(surface_, next_size_, std::move(narrow), NarrowLevel::kHoles)) {
+    level_ = NarrowLevel::kHoles;
+    is_raised_ = has_raised_ = true;
+    places_ = std::move(places);
+    return;
   }
-  next_coarse();
+  refine(std::move(places));
+}
+
+void LatticeSearch::refine(std::vector<FinePlace> places) {
+  is_raised_ = false;
+  if (places.empty()) return next_coarse();
+  fine_ = std::move(places);
+  ++refinements_;
+}
+
+/// Goes on as if there were no planes at what is narrow.
+void LatticeSearch::give_up_level() {
+  level_ = NarrowLevel::kNothing;
+  refine(std::exchange(places_, {}));
+}
+
+/// Most hexahedra that are fitted once there is a mesh: fewer where only its shapes are poor.
+double LatticeSearch::most_fitted() const {
+  return best_ && best_->outcome == HexOutcome::kAllHex ? kMostForShapes : kMostFitted;
 }
 
 /// Whether lattices of a size may be small enough.
 bool LatticeSearch::may_take(double size) const {
-  return raised(asked_size_ / size, 3) <= kMostOfLattice || tried_ == 0;
+  const double share = raised(asked_size_ / size, 3);
+  return share <= kMostOfLattice || expected_ * share <= kFew || tried_ == 0;
 }
 
 bool LatticeSearch::is_done() const {
@@ -236,24 +281,23 @@ bool LatticeSearch::touches_itself() {
   return *touches_itself_;
 }
 
-/// With planes at narrow features only where it has another topology without them: at walls; at holes too;
-/// and around these.
+NarrowFeatures LatticeSearch::narrow_features() const {
+  return {.level = level_, .holes = holes_, .fine = fine_, .lines = lines_};
+}
+
+/// With planes at more narrow features only where it has another topology without them.
 Lattice LatticeSearch::lattice_at(double size) const {
   const WatchedLoops watched(monitor_, Stops::kHeeded);
   tell_watched(Phase::kHexahedra, kUnknownShare);
-  NarrowFeatures narrow{.fine = fine_, .lines = lines_};
+  NarrowFeatures narrow = narrow_features();
   Lattice lattice = lattice_of(surface_, size, narrow);
-  const auto try_narrow = [&] {
-    if (lattice.shells == shells_) return;
+  for (const NarrowLevel level : {NarrowLevel::kWalls, NarrowLevel::kHoles, NarrowLevel::kRings}) {
+    if (lattice.shells == shells_) break;
+    if (level <= narrow.level || (level > NarrowLevel::kWalls && holes_.empty())) continue;
+    narrow.level = level;
     Lattice other = lattice_of(surface_, size, narrow);
     if (other.shells == shells_ || lattice.mesh.hexahedra.empty()) lattice = std::move(other);
-  };
-  narrow.walls = true;
-  try_narrow();
-  narrow.holes = holes_;
-  if (!holes_.empty()) try_narrow();
-  narrow.have_rings = true;
-  if (!holes_.empty()) try_narrow();
+  }
   return lattice;
 }
 

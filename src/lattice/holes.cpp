@@ -17,12 +17,16 @@ constexpr double kMostOneSided = 0.05;
 struct Wall {
   Vector3 towards{0, 0, 0};  ///< area times normals
   double area = 0;
+  Vector3 sum{0, 0, 0};  ///< area times centroids
+  double flux = 0;       ///< of places through it: area times normals times centroids
   std::vector<Vector3> points;
+
+  bool looks_outward() const { return flux > dot(towards, (1 / area) * sum); }
 };
 
 }  // namespace
 
-std::vector<std::vector<Vector3>> holes_of(const FeatureComplex& features) {
+std::vector<Hole> holes_of(const FeatureComplex& features) {
   DisjointSets smooth(features.faces.size());
   for (const FeatureComplex::Curve& curve : features.curves)
     if (curve.is_soft)
@@ -32,14 +36,17 @@ std::vector<std::vector<Vector3>> holes_of(const FeatureComplex& features) {
     Wall& wall = walls[smooth.root(features.face_of[t])];
     const auto corners = features.points_of(t);
     const Vector3 twice = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Vector3 centroid = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
     wall.towards += 0.5 * twice;
     wall.area += 0.5 * norm(twice);
+    wall.sum += 0.5 * norm(twice) * centroid;
+    wall.flux += 0.5 * dot(twice, centroid);
     wall.points.insert(wall.points.end(), corners.begin(), corners.end());
   }
-  std::vector<std::vector<Vector3>> holes;
+  std::vector<Hole> holes;
   for (Wall& wall : walls)
     if (wall.area > 0 && norm(wall.towards) <= kMostOneSided * wall.area)
-      holes.push_back(std::move(wall.points));
+      holes.push_back({std::move(wall.points), wall.looks_outward()});
   return holes;
 }
 

@@ -30,20 +30,16 @@ Surface turned(const Surface& surface, const Quaternion& axes) {
   return prepare_surface(CheckedMesh::derived(std::move(mesh)));
 }
 
-/// Adds a box around each.
-void add_rings(std::vector<Box>& boxes) {
-  constexpr double kRing =
-      0.5;  // of a width: a wall of a quarter of it has half of the cells beside the hole
-  const std::size_t count = boxes.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    Box ring = boxes[k];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double width = kRing * (ring.high[axis] - ring.low[axis]);
-      ring.low[axis] -= width;
-      ring.high[axis] += width;
-    }
-    boxes.push_back(ring);
+/// A box around a hole's.
+Box ring_around(Box box) {
+  // Of a width: a wall of a quarter of it has half of the cells beside the hole.
+  constexpr double kRing = 0.5;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double width = kRing * (box.high[axis] - box.low[axis]);
+    box.low[axis] -= width;
+    box.high[axis] += width;
   }
+  return box;
 }
 
 void require_memory_of(const LatticePlanes& planes) {
@@ -89,6 +85,26 @@ std::vector<Box> small_bodies_of(const TriangleMesh& mesh) {
   return boxes;
 }
 
+NarrowPlanes narrow_along(const NarrowFeatures& narrow, const Quaternion& axes) {
+  NarrowPlanes along{.walls = narrow.level >= NarrowLevel::kWalls, .fine = narrow.fine};
+  const auto box_along = [&](const std::vector<Vector3>& line) {
+    Box box = empty_box();
+    for (const Vector3& p : line) include(box, rotate(conjugate(axes), p));
+    return box;
+  };
+  for (const std::vector<Vector3>& line : narrow.lines) along.lines.push_back(box_along(line));
+  for (FinePlace& place : along.fine) {
+    place.at = rotate(conjugate(axes), place.at);
+    place.normal = rotate(conjugate(axes), place.normal);
+  }
+  for (const Hole& hole : narrow.holes) along.holes.push_back({box_along(hole.points), hole.is_boss});
+  for (const auto& [box, is_boss] : along.holes)
+    if (narrow.level >= NarrowLevel::kHoles) along.boxes.push_back(box);
+  for (const auto& [box, is_boss] : along.holes)
+    if (narrow.level >= NarrowLevel::kRings) along.boxes.push_back(ring_around(box));
+  return along;
+}
+
 }  // namespace
 
 std::vector<int> shells_of(const HexMesh& mesh) {
@@ -104,22 +120,10 @@ std::vector<int> shells_of(const HexMesh& mesh) {
 Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& narrow) {
   Lattice lattice;
   lattice.axes = lattice_axes(surface);
+  lattice.level = narrow.level;
   const Surface along = turned(surface, lattice.axes);
-  NarrowPlanes of_narrow{narrow.walls, {}, narrow.fine};
-  const auto box_along = [&](const std::vector<Vector3>& line) {
-    std::vector<Vector3> points;
-    for (const Vector3& p : line) points.push_back(rotate(conjugate(lattice.axes), p));
-    return box_of(points);
-  };
-  for (const std::vector<Vector3>& line : narrow.lines) of_narrow.lines.push_back(box_along(line));
-  for (FinePlace& place : of_narrow.fine) {
-    place.at = rotate(conjugate(lattice.axes), place.at);
-    place.normal = rotate(conjugate(lattice.axes), place.normal);
-  }
-  for (const std::vector<Vector3>& hole : narrow.holes) of_narrow.holes.push_back(box_along(hole));
-  if (narrow.have_rings) add_rings(of_narrow.holes);
   lattice.slanted_share = slanted_share(along);
-  const LatticePlanes planes = lattice_planes(along, size, of_narrow);
+  const LatticePlanes planes = lattice_planes(along, size, narrow_along(narrow, lattice.axes));
   require_memory_of(planes);
   const KeptCells kept =
       kept_cells(volume_shares(along, planes), planes, [&] { return small_bodies_of(along.mesh); });
@@ -129,6 +133,14 @@ Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& na
   for (const HexSide& side : boundary_of(lattice.mesh)) lattice.mesh.boundary.push_back({side.vertices, 0});
   if (kept.faults == 0) lattice.shells = shells_of(lattice.mesh);
   return lattice;
+}
+
+bool has_other_planes(const Surface& surface, double size, NarrowFeatures narrow, NarrowLevel level) {
+  const Quaternion axes = lattice_axes(surface);
+  const Surface along = turned(surface, axes);
+  const LatticePlanes now = lattice_planes(along, size, narrow_along(narrow, axes));
+  narrow.level = level;
+  return lattice_planes(along, size, narrow_along(narrow, axes)).at != now.at;
 }
 
 }  // namespace crossgrain

@@ -8,19 +8,25 @@
 #include "base/quaternion.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/types.hpp"
+#include "lattice/holes.hpp"
 #include "lattice/lattice_planes.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
 
-/// What gets planes of its own although it is narrower than the size.
-struct NarrowFeatures {
-  bool walls = false;  ///< both sides of thin walls and gaps
+/// What gets planes of its own although it is narrower than the size. Each has what those before it have.
+enum class NarrowLevel {
+  kNothing,
+  kWalls,  ///< both sides of thin walls and gaps, those beside holes too
+  kHoles,  ///< both sides of holes, slots and bosses that are narrower than two sizes
+  kRings   ///< what is around these, for thin walls that are not flat
+};
 
-  /// Points of holes, slots and bosses narrower than two sizes, from which their boxes along the lattice's
-  /// axes are found; and whether planes lie around them too, for thin walls beside holes.
-  std::vector<std::vector<Vector3>> holes = {};
-  bool have_rings = false;
+struct NarrowFeatures {
+  NarrowLevel level = NarrowLevel::kNothing;
+
+  /// Holes, slots and bosses, from which their boxes along the lattice's axes are found.
+  std::vector<Hole> holes = {};
 
   std::vector<FinePlace> fine = {};  ///< places with planes nearer to each other, as the surface lies
 
@@ -31,6 +37,7 @@ struct NarrowFeatures {
 struct Lattice {
   HexMesh mesh;              ///< with its boundary, without tags
   Quaternion axes;           ///< lattice_axes
+  NarrowLevel level{};       ///< of what has planes
   double slanted_share = 0;  ///< of the area of the surface, what is in no plane of a lattice (slanted_share)
   std::size_t toggled = 0;   ///< KeptCells
   std::vector<int> shells;   ///< euler_numbers_of_shells of its surface; empty if that is no manifold
@@ -41,6 +48,9 @@ struct Lattice {
 /// `shells` is empty. Throws Error(kLimit) for more cells than memory holds. The same to the bit for any
 /// number of threads; interrupted as watched loops are.
 Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& narrow = {});
+
+/// Whether lattice_of has other planes with a level than with `narrow.level`.
+bool has_other_planes(const Surface& surface, double size, NarrowFeatures narrow, NarrowLevel level);
 
 /// Returns euler_numbers_of_shells of the quads around hexahedra.
 std::vector<int> shells_of(const HexMesh& mesh);

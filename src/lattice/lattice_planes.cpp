@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/ascending.hpp"
+#include "base/parallel.hpp"
 #include "base/vector3.hpp"
 
 namespace crossgrain {
@@ -32,6 +34,7 @@ constexpr double kWallArea = 4, kThinnestWall = 1e-5;
 struct FlatArea {
   double coordinate, area;
   double towards;  ///< area that looks along the axis, less that which looks back
+  Box box = empty_box();
 };
 
 /// Adds the planes in which some triangles normal to an axis lie: each one's mean coordinate and area.
@@ -39,14 +42,17 @@ void add_planes(std::vector<FlatArea> triangles, double size, std::vector<FlatAr
   std::ranges::sort(triangles, {}, &FlatArea::coordinate);
   for (std::size_t begin = 0, end = 0; begin < triangles.size(); begin = end) {
     double area = 0, moment = 0, towards = 0;
+    Box box = empty_box();
     for (; end < triangles.size() &&
            triangles[end].coordinate - triangles[begin].coordinate < kSamePlane * size;
          ++end) {
       area += triangles[end].area;
       moment += triangles[end].area * triangles[end].coordinate;
       towards += triangles[end].towards;
+      include(box, triangles[end].box.low);
+      include(box, triangles[end].box.high);
     }
-    planes.push_back({moment / area, area, towards});
+    planes.push_back({moment / area, area, towards, box});
   }
 }
 
@@ -58,8 +64,10 @@ std::vector<FlatArea> flat_areas(const Surface& surface, std::size_t axis, doubl
     if (std::abs(surface.normals[t][axis]) < kNormalCosine) continue;
     const auto [a, b, c] = surface.corners(t);
     const bool looks_back = surface.normals[t][axis] < 0;
+    Box box = empty_box();
+    for (const Vector3& corner : {a, b, c}) include(box, corner);
     triangles[looks_back ? 1 : 0].push_back({(a[axis] + b[axis] + c[axis]) / 3, surface.areas[t],
-                                             looks_back ? -surface.areas[t] : surface.areas[t]});
+                                             looks_back ? -surface.areas[t] : surface.areas[t], box});
   }
   std::vector<FlatArea> planes;
   for (std::vector<FlatArea>& of_direction : triangles) add_planes(std::move(of_direction), size, planes);
@@ -72,6 +80,44 @@ bool bound_wall(const FlatArea& a, const FlatArea& b, double size) {
   const double least = kWallArea * size * size;
   return a.towards * b.towards < 0 && std::min(std::abs(a.towards), std::abs(b.towards)) >= least &&
          std::abs(a.coordinate - b.coordinate) >= kThinnestWall * size;
+}
+
+/// Whether two boxes overlap as seen along an axis.
+bool overlap_along(const Box& a, const Box& b, std::size_t axis) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (k != axis && (a.high[k] <= b.low[k] || b.high[k] <= a.low[k])) return false;
+  return true;
+}
+
+/// Returns the coordinates of both sides of walls, and gaps, between holes or bosses and flat areas, or two
+/// of the same kind: of each side of a hole the thinnest.
+std::vector<double> sides_of_walls_at_holes(const std::vector<FlatArea>& flats,
+                                            const std::vector<HoleBox>& holes, std::size_t axis,
+                                            double size) {
+  std::vector<double> sides;
+  Checkpoint checkpoint;
+  for (const HoleBox& hole : holes) {
+    const double low = hole.box.low[axis], high = hole.box.high[axis];
+    double below = -INFINITY, above = INFINITY;
+    const auto look_at = [&](double coordinate, bool is_above) {
+      checkpoint.pass();
+      if (is_above && coordinate - high >= kThinnestAtHole * size) above = std::min(above, coordinate);
+      if (!is_above && low - coordinate >= kThinnestAtHole * size) below = std::max(below, coordinate);
+    };
+    // A wall ends with a face that looks away from the hole, a gap with one that looks at the boss.
+    for (const FlatArea& flat : flats)
+      if (flat.area >= kPlaneArea * size * size && overlap_along(hole.box, flat.box, axis))
+        look_at(flat.coordinate, (flat.towards > 0) != hole.is_boss);
+    for (const HoleBox& other : holes) {
+      if (other.is_boss != hole.is_boss || !overlap_along(hole.box, other.box, axis)) continue;
+      look_at(other.box.low[axis], true);
+      look_at(other.box.high[axis], false);
+    }
+    if (above - high < kThickestAtHole * size) sides.insert(sides.end(), {high, above});
+    if (low - below < kThickestAtHole * size) sides.insert(sides.end(), {below, low});
+  }
+  sort_uniquely(sides);
+  return sides;
 }
 
 template <class MayBeNear>
@@ -165,7 +211,8 @@ LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPl
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const PlaneDistance distance(size, narrow.fine, axis);
     std::vector<FlatArea> kept;
-    for (const FlatArea& flat : flat_areas(surface, axis, size)) {
+    const std::vector<FlatArea> flats = flat_areas(surface, axis, size);
+    for (const FlatArea& flat : flats) {
       const double here = distance.at(flat.coordinate);
       if (flat.area >= kPlaneArea * here * here) add_apart(flat, kLeastGap * here, is_wall, kept);
     }
@@ -177,9 +224,12 @@ LatticePlanes lattice_planes(const Surface& surface, double size, const NarrowPl
       if (line.high[axis] - line.low[axis] < kSamePlane * here && longest_side(line) >= kShortestLine * here)
         add_apart({middle, 0, 0}, kLineGap * here, is_never_near, kept);
     }
-    for (const Box& hole : narrow.holes) {
-      if (hole.high[axis] - hole.low[axis] >= kWidestHole * size) continue;
-      for (const double side : {hole.low[axis], hole.high[axis]})
+    if (narrow.walls)
+      for (const double side : sides_of_walls_at_holes(flats, narrow.holes, axis, size))
+        add_apart({side, 0, 0}, kThinnestAtHole * size, is_never_near, kept);
+    for (const Box& box : narrow.boxes) {
+      if (box.high[axis] - box.low[axis] >= kWidestHole * size) continue;
+      for (const double side : {box.low[axis], box.high[axis]})
         add_apart({side, 0, 0}, kHoleGap * size, is_never_near, kept);
     }
     std::vector<double> coordinates;

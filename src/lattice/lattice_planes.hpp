@@ -30,11 +30,18 @@ struct FinePlace {
   Vector3 normal{};
 };
 
+/// A hole, or a boss, along the axes.
+struct HoleBox {
+  Box box;
+  bool is_boss = false;
+};
+
 /// What gets planes besides large faces that are apart.
 struct NarrowPlanes {
-  bool walls = false;  ///< both sides of walls and gaps, however thin
-  std::vector<Box> holes =
-      {};  ///< both sides of boxes that are narrower than two sizes, unless others are near
+  bool walls = false;  ///< both sides of walls and gaps, however thin; but beside holes see kThinnestAtHole
+  std::vector<HoleBox> holes = {};  ///< beside which such walls are found
+  std::vector<Box> boxes =
+      {};  ///< with planes on both sides if narrower than two sizes, unless others are near
   std::vector<FinePlace> fine = {};
   std::vector<Box> lines = {};  ///< long ones get planes across their thin sides, unless others are near
 };
@@ -80,6 +87,10 @@ inline constexpr double kLeastGap = 0.45;
 
 /// Least distance of planes at holes from others, in sizes.
 inline constexpr double kHoleGap = 0.15;
+
+/// A wall between a hole and a face, or two holes, in sizes: a thicker one has more than half of its cells,
+/// and of a thinner one no cells are made.
+inline constexpr double kThickestAtHole = 0.8, kThinnestAtHole = 0.02;
 
 /// Least distance of planes at lines from others, in sizes. With them the L-bracket, the wedge and i02o of
 /// the everyday parts and models keep all borders of their fillets, with 6, 2 and 41 % fewer hexahedra.

@@ -39,6 +39,28 @@ def revolved(profile, segments=36):
     return np.array(triangles)
 
 
+def of_cells(cuts, kept):
+    """The surface of cells (i, j, k) between coordinates along each axis."""
+    triangles = []
+    for cell in kept:
+        for axis in range(3):
+            for side in (0, 1):
+                beside = tuple(c + (2 * side - 1) * (a == axis) for a, c in enumerate(cell))
+                if beside in kept:
+                    continue
+                one, other = (axis + 1) % 3, (axis + 2) % 3
+                corners = []
+                for u, v in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                    index = list(cell)
+                    index[axis] += side
+                    index[one] += u
+                    index[other] += v
+                    corners.append([cuts[a][i] for a, i in enumerate(index)])
+                a, b, c, d = corners if side else corners[::-1]
+                triangles += [(a, b, c), (a, c, d)]
+    return np.array(triangles)
+
+
 class Lattice(CommandTest):
     def made(self, *options, model="part.stl", code=0):
         """What it printed, and the report."""
@@ -219,6 +241,29 @@ class Lattice(CommandTest):
                     report = self.made("--lattice", "--cells", "8", model=f"{name}.stl")[1]
                     self.assertEqual(report["hexahedra"], number)
                     self.assertGreater(report["scaled_jacobian"]["min"], 0.999)
+
+    def test_keeps_a_thin_wall_that_ends_at_an_edge(self):
+        # Without it the topology is the same.
+        cells = {(0, j, k) for j in range(3) for k in range(2)} - {(0, 1, 1)}
+        self.write("part.stl", stl_bytes(turned(of_cells(([0, 6], [0, 0.2, 3, 6], [0, 2, 4]), cells), 0.7)))
+        report = self.made("--lattice", "--size", "1")[1]
+        self.assertEqual([attempt["size"] for attempt in report["attempts"]], [1, 1])
+        self.assertEqual((report["hexahedra"], report["used_size"]), (6 * 7 * 2 + 6 * 4 * 2, 1))
+        self.assert_all_hex(1, least=0.999)
+
+    def test_makes_a_rod_of_one_cell_round(self):
+        self.write("part.stl", stl_bytes(turned(cylinder(0.5, 20), 0.4)))
+        report = self.made("--lattice", "--size", "1")[1]
+        self.assertLess(report["hexahedra"], 1500)
+        self.assert_all_hex(1, least=0.15)
+
+    def test_is_padded_where_four_creases_meet(self):
+        base = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
+        triangles = [(base[0], base[2], base[1]), (base[0], base[3], base[2]), *[(base[k], base[(k + 1) % 4], (0, 0, 1.4)) for k in range(4)]]
+        self.write("part.stl", stl_bytes(turned(triangles, 0.7)))
+        report = self.made("--lattice", "--cells", "10")[1]
+        self.assertEqual(report["fit_tries"][report["best_fit"]]["way"], "padded")
+        self.assert_all_hex(report["size"], least=0.15)
 
     def test_takes_no_options_of_maps(self):
         self.write("part.stl", stl_bytes(box_triangles()))

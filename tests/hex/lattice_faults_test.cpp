@@ -47,9 +47,11 @@ TEST(PlacesToRefine, AreFinerThanWhereItWasTriedBefore) {
   const Low low(4.5);
   const std::vector<FinePlace> before = {{{2, 2, 4}, 0.5, {0, 0, 1}}};
   bool has_finer = false;
-  for (const FinePlace& place : places_to_refine(low.made.mesh, low.made.report, low.model, 1, before))
-    has_finer |= place.size == kFinerSize * 0.5;
+  const std::vector<FinePlace> places =
+      places_to_refine(low.made.mesh, low.made.report, low.model, 1, before);
+  for (const FinePlace& place : places) has_finer |= place.size == kFinerSize * 0.5;
   EXPECT_TRUE(has_finer);
+  EXPECT_EQ(places.front().at, before.front().at) << "what was tried is not given up";
 }
 
 TEST(PlacesToRefine, AreThoseOfLostFeaturesAndOfBadShapesInAllDirections) {

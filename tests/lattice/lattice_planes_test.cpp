@@ -55,10 +55,38 @@ TEST(LatticePlanes, LieOnBothSidesOfThinWallsAndOfHolesIfAskedTo) {
   }
   const Surface plate = surface_of(make_box({10, 10, 0.2}));
   const LatticePlanes at_hole =
-      lattice_planes(plate, 1, {.walls = false, .holes = {{{1.3, 2.2, 0}, {1.7, 9, 0.2}}}});
+      lattice_planes(plate, 1, {.walls = false, .boxes = {{{1.3, 2.2, 0}, {1.7, 9, 0.2}}}});
   EXPECT_TRUE(has(at_hole.at[0], 1.3));
   EXPECT_TRUE(has(at_hole.at[0], 1.7));
   EXPECT_FALSE(has(at_hole.at[1], 2.2)) << "the hole is wide there";
+}
+
+TEST(LatticePlanes, LieOnBothSidesOfThinWallsBesideHolesIfAskedTo) {
+  const Surface box = surface_of(make_box({10, 10, 10}));
+  const auto planes = [&](const Box& hole, bool is_boss) {
+    return lattice_planes(box, 1, {.walls = true, .holes = {{hole, is_boss}}}).at[0];
+  };
+  for (const double thickness : {0.6, 0.1, 0.03}) {
+    EXPECT_TRUE(has(planes({{1, -2, 0}, {5 - thickness, 2, 5}}, false), 5 - thickness)) << thickness;
+    EXPECT_TRUE(has(planes({{thickness - 5, -2, 0}, {1, 2, 5}}, false), thickness - 5)) << thickness;
+  }
+  EXPECT_FALSE(has(planes({{1, -2, 0}, {3.7, 2, 5}}, false), 3.7)) << "the wall is thick";
+  EXPECT_FALSE(has(planes({{1, -2, 0}, {4.9, 2, 5}}, true), 4.9)) << "there is no gap beside a boss";
+  const Surface walls = surface_of(join_meshes(make_box({10, 10, 10}), flip_mesh(make_box({8, 8, 8}))));
+  for (const double side : {3.8, -3.8})
+    EXPECT_TRUE(has(
+        lattice_planes(
+            walls, 1,
+            {.walls = true, .holes = {{{{std::min(side, 0.0), -2, -2}, {std::max(side, 0.0), 2, 2}}, true}}})
+            .at[0],
+        side))
+        << "a gap beside a boss";
+  EXPECT_FALSE(has(planes({{1, 6, 0}, {4.9, 8, 5}}, false), 4.9)) << "the hole is not beside the face";
+  const std::vector<double> between =
+      lattice_planes(box, 1,
+                     {.walls = true, .holes = {{{{-3, -2, 0}, {0.3, 2, 5}}}, {{{0.7, -2, 0}, {3, 2, 5}}}}})
+          .at[0];
+  EXPECT_TRUE(has(between, 0.3) && has(between, 0.7)) << "a wall between two holes";
 }
 
 TEST(LatticePlanes, LieOnBothSidesOfSheetsAndNeedles) {

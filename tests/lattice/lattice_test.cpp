@@ -35,6 +35,18 @@ TEST(Lattice, HasTheTopologyOfItsSurface) {
   EXPECT_EQ(lattice_of(hollow, 0.2).shells, (std::vector<int>{2, 2}));
 }
 
+TEST(Lattice, HasOtherPlanesWhereWallsAreThinAndHolesAreNarrow) {
+  const auto has_other = [](const Surface& surface, double size, std::vector<Hole> holes = {}) {
+    return has_other_planes(surface, size, {.holes = std::move(holes)}, NarrowLevel::kHoles);
+  };
+  const Surface plate = surface_of(make_box({10, 8, 5}));
+  EXPECT_FALSE(has_other(plate, 1));
+  const Surface hollow = surface_of(join_meshes(make_box({10, 8, 5}), flip_mesh(make_box({9.6, 7.6, 4.6}))));
+  EXPECT_TRUE(has_other(hollow, 1));
+  EXPECT_FALSE(has_other(hollow, 0.1)) << "its walls are two cells thick";
+  EXPECT_TRUE(has_other(plate, 1, {{{{0.2, 0.3, -2.5}, {1.5, 1.6, 2.5}}}}));
+}
+
 TEST(Lattice, IsTheSameForAnyNumberOfThreads) {
   const Surface surface = surface_of(rotate_mesh(make_bracket(24), from_rotation_vector({0.1, 0.2, 0.3})));
   const Lattice many = lattice_of(surface, 0.2);
