@@ -63,8 +63,8 @@ std::string text_of(const HexReport& report) {
 /// About how many hexahedra a lattice becomes. Layers cover slanted and curved faces, and some of those
 /// beside them. With 20 cells, 67 of 72 lattices that are written become between half and twice as many, and
 /// 112 of all 128 that are tried; with 12 cells 60 of 71 and 106 of 137 (bench/first_words.py, with
-/// `--lattice` among its options). Shares of faces with a slanted border, and of slanted curves, tell no
-/// more: which layers there are is known once curves have paths.
+/// `--lattice` among its options; before padding was a way). Shares of faces with a slanted border, and of
+/// slanted curves, tell no more: which layers there are is known once curves have paths.
 double fitted_count(const Lattice& lattice) {
   constexpr double kAddedForQuad = 1.5;
   return static_cast<double>(lattice.mesh.hexahedra.size()) +
