@@ -93,8 +93,12 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
 #ifdef M_MMAP_THRESHOLD
   // Returns large arrays to the system when a level is finished. By default the threshold grows with the
-  // first large array that is freed, and a quarter of the peak is unused memory.
-  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+  // first large array that is freed, and a quarter of the peak is unused memory. Smaller arrays are kept:
+  // with 128 KB, small runs spent a sixth of their time on pages of new ones (`solve bracket.stl --resolution
+  // 128` 3.1 s for 2.7 s), for 23 MB less.
+  constexpr int kMegabyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 4 * kMegabyte);
+  mallopt(M_TRIM_THRESHOLD, 8 * kMegabyte);
 #endif
   std::set_terminate(crossgrain::app::end_uncaught);
   // A file that exceeds a limit of the system, and a pipe without a reader, should fail like any other write

@@ -79,8 +79,8 @@ class WhatDoesNotFit(MemoryTest):
         self.write("torus.stl", stl_bytes(torus_triangles(around=400, across=200)))
         self.refuse("hex", "torus.stl", "--lattice", "--cells", "8", "--max-memory", "100MB", "-o", "out",
                     words=["torus.stl: putting hexahedra onto 160000 triangles takes 0.1"])
-        peak = self.peak_of("hex", "torus.stl", "--lattice", "--cells", "8", "--max-memory", "180MB", "-o", "out", "--no-report", codes=(0, APPROXIMATE))
-        self.assertLessEqual(peak, 180e6)
+        peak = self.peak_of("hex", "torus.stl", "--lattice", "--cells", "8", "--max-memory", "190MB", "-o", "out", "--no-report", codes=(0, APPROXIMATE))
+        self.assertLessEqual(peak, 190e6)
 
     def test_is_refused_by_what_many_creases_take(self):
         self.write("sponge.stl", stl_bytes(sponge(3)))
