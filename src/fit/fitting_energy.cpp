@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -85,62 +84,54 @@ void FittingEnergy::invert_blocks() {
   });
 }
 
-Eigen::VectorXd FittingEnergy::preconditioned(const Eigen::VectorXd& gradient) const {
-  Eigen::VectorXd result(gradient.size());
+void FittingEnergy::precondition(const Eigen::VectorXd& gradient, Eigen::VectorXd& result) const {
+  result.resize(gradient.size());
   parallel_for(inverses_.size(), [&](std::size_t v) {
     const Index first = 3 * static_cast<Index>(v);
-    result.segment<3>(first) = inverses_[v] * gradient.segment<3>(first);
+    result.segment<3>(first).noalias() = inverses_[v] * gradient.segment<3>(first);
   });
-  return result;
 }
 
 std::vector<Vector3> FittingEnergy::places(const Eigen::VectorXd& displacements) const {
-  std::vector<Vector3> places = mesh_.vertices;
-  parallel_for(places.size(), [&](std::size_t v) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      places[v][axis] += size_ * displacements[static_cast<Index>(3 * v + axis)];
-  });
+  std::vector<Vector3> places;
+  find_places(displacements, places);
   return places;
 }
 
-bool FittingEnergy::are_kept(const std::vector<Vector3>& places) const {
-  std::atomic<bool> are_kept = true;
-  parallel_for(mesh_.hexahedra.size(), [&](std::size_t h) {
-    if (!kept_[h] || !are_kept.load(std::memory_order_relaxed)) return;
-    HexCorners corners;
-    for (std::size_t k = 0; k < 8; ++k) corners[k] = places[mesh_.hexahedra[h][k]];
-    if (!is_valid(corners)) are_kept.store(false, std::memory_order_relaxed);
+void FittingEnergy::find_places(const Eigen::VectorXd& displacements, std::vector<Vector3>& places) const {
+  places.resize(mesh_.vertices.size());
+  parallel_for(places.size(), [&](std::size_t v) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      places[v][axis] = mesh_.vertices[v][axis] + size_ * displacements[static_cast<Index>(3 * v + axis)];
   });
-  return are_kept;
 }
 
 double FittingEnergy::operator()(const Eigen::VectorXd& displacements, Eigen::VectorXd& gradient) {
-  const std::vector<Vector3> at = places(displacements);
-  std::vector<Vector3> of_shapes;
-  double sum = shapes_(at, options_, of_shapes, kept_);
+  find_places(displacements, at_);
+  double sum = shapes_(at_, options_, of_shapes_, kept_);
   gradient.setZero(displacements.size());
-  if (!std::isfinite(sum) || !are_kept(at)) return INFINITY;
-  std::vector<double> differences(pulls_.of_quads.size());
-  parallel_for(differences.size(),
-               [&](std::size_t q) { differences[q] = pulls_.of_quads[q].difference(at); });
-  parallel_for(at.size(), [&](std::size_t v) {
+  if (!std::isfinite(sum) || !are_valid(at_, mesh_.hexahedra, kept_)) return INFINITY;
+  differences_.resize(pulls_.of_quads.size());
+  parallel_for(differences_.size(),
+               [&](std::size_t q) { differences_[q] = pulls_.of_quads[q].difference(at_); });
+  parallel_for(at_.size(), [&](std::size_t v) {
     if (pulls_.is_held[v]) return;
     const VertexPull& pull = pulls_.of_vertex[v];
-    Vector3 total = of_shapes[v] + 2 * crossgrain::apply(pull.weight, at[v] - pull.point);
+    Vector3 total = of_shapes_[v] + 2 * crossgrain::apply(pull.weight, at_[v] - pull.point);
     for (const std::uint32_t use : pulled_by_[v]) {
       const QuadPull& by = pulls_.of_quads[use / 3];
       total +=
-          (2 * pulls_.quad_weight * by.weight * by.shares[use % 3] * differences[use / 3]) * by.direction;
+          (2 * pulls_.quad_weight * by.weight * by.shares[use % 3] * differences_[use / 3]) * by.direction;
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
       gradient[static_cast<Index>(3 * v + axis)] = size_ * total[axis];
   });
-  sum += parallel_sum(at.size(), [&](std::size_t v) {
-    const Vector3 off = at[v] - pulls_.of_vertex[v].point;
+  sum += parallel_sum(at_.size(), [&](std::size_t v) {
+    const Vector3 off = at_[v] - pulls_.of_vertex[v].point;
     return dot(off, crossgrain::apply(pulls_.of_vertex[v].weight, off));
   });
-  for (std::size_t q = 0; q < differences.size(); ++q)
-    sum += pulls_.quad_weight * pulls_.of_quads[q].weight * differences[q] * differences[q];
+  for (std::size_t q = 0; q < differences_.size(); ++q)
+    sum += pulls_.quad_weight * pulls_.of_quads[q].weight * differences_[q] * differences_[q];
   return sum;
 }
 

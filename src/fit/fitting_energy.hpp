@@ -36,13 +36,14 @@ class FittingEnergy {
 
   double operator()(const Eigen::VectorXd& displacements, Eigen::VectorXd& gradient);
 
-  /// Multiplies by the inverses of the second derivatives by each vertex alone, at the mesh as it was given.
-  Eigen::VectorXd preconditioned(const Eigen::VectorXd& gradient) const;
+  /// Makes `result` the gradient times the inverses of the second derivatives by each vertex alone, at the
+  /// mesh as it was given.
+  void precondition(const Eigen::VectorXd& gradient, Eigen::VectorXd& result) const;
 
   std::vector<Vector3> places(const Eigen::VectorXd& displacements) const;
 
  private:
-  bool are_kept(const std::vector<Vector3>& places) const;
+  void find_places(const Eigen::VectorXd& displacements, std::vector<Vector3>& places) const;
   void invert_blocks();
   SymmetricMatrix3 block_of(std::uint32_t vertex) const;
 
@@ -56,6 +57,8 @@ class FittingEnergy {
   Lists<std::uint32_t> uses_;       ///< of vertices by hexahedra
   Lists<std::uint32_t> pulled_by_;  ///< 3 times the pull of a quad, and the vertex in it
   std::vector<Eigen::Matrix3d> inverses_;
+  std::vector<Vector3> at_, of_shapes_;  ///< places of the last evaluation, and the gradient of shapes there
+  std::vector<double> differences_;      ///< of the pulls of quads there
 };
 
 }  // namespace crossgrain

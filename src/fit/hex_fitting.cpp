@@ -202,7 +202,9 @@ void HexFitting::round(int number) {
                        std::move(kept));
   const Descent descent =
       minimised([&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) { return energy(x, gradient); },
-                [&](const Eigen::VectorXd& gradient) { return energy.preconditioned(gradient); },
+                [&](const Eigen::VectorXd& gradient, Eigen::VectorXd& result) {
+                  energy.precondition(gradient, result);
+                },
                 Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh_.vertices.size())),
                 {.steps = options_.steps, .least_gain = 1e-6});
   mesh_.vertices = energy.places(descent.x);

@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 #include <utility>
 
 #include "base/elementary.hpp"
+#include "base/instruction_set.hpp"
+#include "base/lane_functions.hpp"
+#include "base/lanes.hpp"
 #include "base/parallel.hpp"
 #include "map/foldover.hpp"
 #include "measure/hex_faces.hpp"
+#include "measure/hex_lanes.hpp"
 
 namespace crossgrain {
 namespace {
@@ -105,27 +111,56 @@ void add_second_order(const PlainEnergy& energy, const VertexPart& part, double 
   for (const std::size_t diagonal : {0, 3, 5}) sum.hessian[diagonal] += outer * energy.by_f * part.twice_f;
 }
 
-}  // namespace
+/// `regularised` of lanes: D itself where epsilon is 0 and D > 0.
+template <int W>
+struct RegularisedLanes {
+  Lanes<W> chi, slope;
 
-CornerEnergy corner_energy(const std::array<Vector3, 3>& edges, const CornerEnergyOptions& options) {
+  RegularisedLanes(const Lanes<W>& determinant, const Lanes<W>& epsilon) {
+    constexpr double kLeast = 1e-100;
+    const Lanes<W> root = sqrt(determinant * determinant + epsilon * epsilon);
+    const Lanes<W> positive = 0.5 * (determinant + root),
+                   other = 0.5 * epsilon * epsilon / (root - determinant);
+    chi = select(determinant > 0.0, positive, other);
+    chi = select(chi > kLeast, chi, Lanes<W>(kLeast));
+    slope = chi / root;
+  }
+};
+
+/// Returns the energy of a corner, and adds its gradient to that of all corners, which are in sizes.
+template <int W>
+Lanes<W> add_corner_energy(const CornerLanes<W>& corners, std::size_t corner, const Lanes<W>& epsilon,
+                           const CornerEnergyOptions& options, CornerLanes<W>& gradient) {
+  using Real = Lanes<W>;
+  std::array<BasicVector3<Real>, 3> edges;
+  for (std::size_t n = 0; n < 3; ++n) edges[n] = corners[kHexNeighbours[corner][n]] - corners[corner];
   const auto& [a, b, c] = edges;
-  const std::array<Vector3, 3> cofactors{cross(b, c), cross(c, a), cross(a, b)};
-  const double determinant = dot(cofactors[2], c);
-  if (options.epsilon == 0 && !(determinant > 0)) return {INFINITY, {}};
-  const auto [chi, slope] =
-      options.epsilon == 0 ? Regularised{determinant, 1} : regularised(determinant, options.epsilon);
-  const double squares = dot(a, a) + dot(b, b) + dot(c, c), root = cube_root(chi * chi);
-  const double volumes = options.volume_weight * (1 + determinant * determinant) / chi;
+  const std::array<BasicVector3<Real>, 3> cofactors{cross(b, c), cross(c, a), cross(a, b)};
+  const Real determinant = dot(cofactors[2], c);
+  const RegularisedLanes<W> regularised(determinant, epsilon);
+  const Real inverse = 1.0 / regularised.chi, inverse_root = inverse_cube_root(regularised.chi);
+  const Real by_squares = inverse_root * inverse_root;
+  const Real squares = dot(a, a) + dot(b, b) + dot(c, c);
+  const Real volumes = options.volume_weight * (1.0 + determinant * determinant) * inverse;
   // Relative to a cube of the size, so that no power is out of range for it.
-  const double cube = 3 + 2 * options.volume_weight, share = (squares / root + volumes) / cube;
-  const double below = raised(share, options.power - 1), outer = options.power * below;
-  const double by_determinant = -2.0 / 3 * squares / (root * chi) * slope +
-                                2 * options.volume_weight * determinant / chi - volumes / chi * slope;
-  CornerEnergy energy{cube * share * below, {}};
-  for (std::size_t n = 0; n < 3; ++n)
-    energy.by_edge[n] = outer * ((2 / root) * edges[n] + by_determinant * cofactors[n]);
-  return energy;
+  const double cube = 3 + 2 * options.volume_weight;
+  const Real share = (squares * by_squares + volumes) * (1 / cube);
+  Real below = 1.0;
+  for (int k = 1; k < options.power; ++k) below *= share;
+  const Real by_determinant = (2 * options.volume_weight) * determinant * inverse -
+                              (2.0 / 3 * squares * by_squares + volumes) * inverse * regularised.slope;
+  const Real of_edges = 2 * options.power * below * by_squares;
+  const Real of_cofactors = options.power * below * by_determinant;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const BasicVector3<Real> by_edge = of_edges * edges[n] + of_cofactors * cofactors[n];
+    gradient[kHexNeighbours[corner][n]] += by_edge;
+    gradient[corner] += -by_edge;
+  }
+  const auto is_finite = (epsilon > 0.0) | (determinant > 0.0);
+  return select(is_finite, cube * share * below, Real(INFINITY));
 }
+
+}  // namespace
 
 Lists<std::uint32_t> corner_uses(std::size_t vertices,
                                  std::span<const std::array<std::uint32_t, 8>> hexahedra) {
@@ -140,60 +175,64 @@ ShapeEnergy::ShapeEnergy(std::size_t vertices, std::span<const std::array<std::u
     : hexahedra_(hexahedra),
       scales_(std::move(sizes)),
       uses_(corner_uses(vertices, hexahedra)),
-      terms_(hexahedra.size()) {
+      values_(hexahedra.size()),
+      by_corner_(8 * hexahedra.size()) {
   for (double& scale : scales_) scale = 1 / scale;
 }
 
-std::array<Vector3, 3> ShapeEnergy::edges(const std::vector<Vector3>& places, std::size_t hexahedron,
-                                          std::size_t corner) const {
-  const auto& corners = hexahedra_[hexahedron];
-  const auto& [a, b, c] = kHexNeighbours[corner];
-  const Vector3& at = places[corners[corner]];
-  const double scale = scales_[hexahedron];
-  return {scale * (places[corners[a]] - at), scale * (places[corners[b]] - at),
-          scale * (places[corners[c]] - at)};
-}
-
-ShapeEnergy::Term ShapeEnergy::term(const std::vector<Vector3>& places, std::size_t hexahedron,
-                                    const CornerEnergyOptions& options) const {
-  Term term{0, {}};
-  for (std::size_t k = 0; k < 8; ++k) {
-    const CornerEnergy energy = corner_energy(edges(places, hexahedron, k), options);
-    term.value += energy.value;
-    for (std::size_t n = 0; n < 3; ++n) {
-      term.gradient[kHexNeighbours[k][n]] += energy.by_edge[n];
-      term.gradient[k] += -energy.by_edge[n];
-    }
+/// Of `count` hexahedra from `first` on, each in a lane; lanes beyond hold the last one too.
+template <int W>
+void ShapeEnergy::find_terms(const std::vector<Vector3>& places, const CornerEnergyOptions& options,
+                             std::span<const std::uint8_t> kept, std::size_t first, int count) {
+  std::array<double, W> scales, epsilons;
+  for (int lane = 0; lane < W; ++lane) {
+    const std::size_t h = first + static_cast<std::size_t>(std::min(lane, count - 1));
+    scales[static_cast<std::size_t>(lane)] = scales_[h];
+    epsilons[static_cast<std::size_t>(lane)] = !kept.empty() && kept[h] ? 0 : options.epsilon;
   }
-  return term;
+  const auto scale = lanes_at<Lanes<W>>(scales.data()), epsilon = lanes_at<Lanes<W>>(epsilons.data());
+  CornerLanes<W> corners = corner_lanes<W>(places, hexahedra_, first, count), gradient;
+  for (BasicVector3<Lanes<W>>& corner : corners) corner = scale * corner;
+  gradient.fill({0.0, 0.0, 0.0});
+  Lanes<W> value = 0.0;
+  for (std::size_t k = 0; k < 8; ++k) value += add_corner_energy(corners, k, epsilon, options, gradient);
+  std::array<double, W> values;
+  std::memcpy(values.data(), &value.native, sizeof values);
+  std::array<std::array<double, W>, 24> coordinates;
+  for (std::size_t i = 0; i < 24; ++i) {
+    const Lanes<W> of_place = scale * gradient[i / 3][i % 3];
+    std::memcpy(coordinates[i].data(), &of_place.native, sizeof values);
+  }
+  for (std::size_t l = 0; l < static_cast<std::size_t>(count); ++l) {
+    values_[first + l] = values[l];
+    for (std::size_t i = 0; i < 24; ++i) by_corner_[8 * (first + l) + i / 3][i % 3] = coordinates[i][l];
+  }
 }
 
 double ShapeEnergy::operator()(const std::vector<Vector3>& places, const CornerEnergyOptions& options,
                                std::vector<Vector3>& gradient, std::span<const std::uint8_t> kept) {
-  CornerEnergyOptions barrier = options;
-  barrier.epsilon = 0;
-  parallel_for(terms_.size(), [&](std::size_t h) {
-    terms_[h] = term(places, h, !kept.empty() && kept[h] ? barrier : options);
+  parallel_for_lanes(values_.size(), [&]<int W>(std::size_t first, int count) {
+    find_terms<W>(places, options, kept, first, count);
   });
-  double sum = 0;
-  for (const Term& term : terms_) sum += term.value;
   gradient.resize(places.size());
   parallel_for(places.size(), [&](std::size_t v) {
     Vector3 of_vertex{0, 0, 0};
-    for (const std::uint32_t use : uses_[v])
-      of_vertex += scales_[use / 8] * terms_[use / 8].gradient[use % 8];
+    for (const std::uint32_t use : uses_[v]) of_vertex += by_corner_[use];
     gradient[v] = of_vertex;
   });
-  return sum;
+  return std::accumulate(values_.begin(), values_.end(), 0.0);
 }
 
 double ShapeEnergy::least_determinant(const std::vector<Vector3>& places) const {
   double least = INFINITY;
-  for (std::size_t h = 0; h < terms_.size(); ++h)
+  for (std::size_t h = 0; h < hexahedra_.size(); ++h) {
+    std::array<Vector3, 8> corners;
+    for (std::size_t k = 0; k < 8; ++k) corners[k] = places[hexahedra_[h][k]];
     for (std::size_t k = 0; k < 8; ++k) {
-      const auto [a, b, c] = edges(places, h, k);
+      const auto [a, b, c] = scaled_edges(corners, k, scales_[h]);
       least = std::min(least, dot(cross(a, b), c));
     }
+  }
   return least;
 }
 

@@ -29,20 +29,12 @@ struct CornerEnergyOptions {
   double epsilon = 0;    ///< of `regularised`; 0: chi = D
 };
 
-struct CornerEnergy {
-  double value;
-  std::array<Vector3, 3> by_edge;
-};
-
-/// Returns (3 + 2 w) (f / (3 + 2 w))^power and its gradient. Infinite, with no gradient, for epsilon = 0 and
-/// D <= 0.
-CornerEnergy corner_energy(const std::array<Vector3, 3>& edges, const CornerEnergyOptions& options);
-
 /// The uses of vertices by hexahedra: 8 times the hexahedron, and the corner; ascending.
 Lists<std::uint32_t> corner_uses(std::size_t vertices,
                                  std::span<const std::array<std::uint32_t, 8>> hexahedra);
 
-/// The sum of the energies of all corners of hexahedra. The same to the bit for any number of threads.
+/// The sum over all corners of hexahedra of (3 + 2 w) (f / (3 + 2 w))^power, which is infinite, without a
+/// gradient, if D <= 0 at a corner with chi = D. The same to the bit for any number of threads.
 class ShapeEnergy {
  public:
   /// The hexahedra must outlive it. `sizes`: of each hexahedron, in the unit of places.
@@ -57,19 +49,15 @@ class ShapeEnergy {
   double least_determinant(const std::vector<Vector3>& places) const;
 
  private:
-  struct Term {
-    double value;
-    std::array<Vector3, 8> gradient;
-  };
-  std::array<Vector3, 3> edges(const std::vector<Vector3>& places, std::size_t hexahedron,
-                               std::size_t corner) const;
-  Term term(const std::vector<Vector3>& places, std::size_t hexahedron,
-            const CornerEnergyOptions& options) const;
+  template <int W>
+  void find_terms(const std::vector<Vector3>& places, const CornerEnergyOptions& options,
+                  std::span<const std::uint8_t> kept, std::size_t first, int count);
 
   std::span<const std::array<std::uint32_t, 8>> hexahedra_;
   std::vector<double> scales_;
   Lists<std::uint32_t> uses_;
-  std::vector<Term> terms_;
+  std::vector<double> values_;      ///< of hexahedra
+  std::vector<Vector3> by_corner_;  ///< their gradients by the places of their corners
 };
 
 /// A function of the place of one vertex to second order.

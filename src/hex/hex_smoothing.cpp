@@ -210,8 +210,8 @@ void Smoothing::run(int power, const std::vector<bool>& loose, double share, dou
         minimised([&](const Eigen::VectorXd& x,
                       Eigen::VectorXd& gradient) { return energy(freedom, x, epsilon, gradient); },
                   // About the second derivative of the energy of cubes.
-                  [&](const Eigen::VectorXd& gradient) -> Eigen::VectorXd {
-                    return 0.25 * static_cast<double>(mesh.hexahedra.size()) * gradient;
+                  [&](const Eigen::VectorXd& gradient, Eigen::VectorXd& result) {
+                    result = 0.25 * static_cast<double>(mesh.hexahedra.size()) * gradient;
                   },
                   Eigen::VectorXd::Zero(freedom.size()), {.steps = 20});
     parallel_for(mesh.vertices.size(), [&](std::size_t v) {

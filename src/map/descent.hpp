@@ -19,12 +19,12 @@ struct Descent {
   int steps = 0;
 };
 
-/// Returns the value, and fills in the gradient.
+/// Returns the value, and fills in the gradient, which may hold an earlier one.
 using DifferentiableFunction = std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd& gradient)>;
 
-/// Returns about the inverse of the function's second derivative, applied to a vector; symmetric and
-/// positive.
-using Preconditioner = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+/// Makes `result` about the inverse of the function's second derivative, applied to a vector: symmetric and
+/// positive. They are not the same object.
+using Preconditioner = std::function<void(const Eigen::VectorXd& vector, Eigen::VectorXd& result)>;
 
 /// Preconditioned L-BFGS from x on, with weak Wolfe conditions (Nocedal and Wright, "Numerical Optimization",
 /// algorithm 7.4). The value never rises. Interrupted as the watched loops of the caller say.

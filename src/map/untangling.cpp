@@ -112,9 +112,9 @@ Untangled untangled(const PoissonMap& poisson, Eigen::VectorXd columns, IntegerC
   const MapEnergy& energy = poisson.energy();
   const std::vector<std::uint32_t> free = free_columns(poisson, integers);
   Distortion distortion(energy, columns, free);
-  const Preconditioner preconditioner = [&](const Eigen::VectorXd& gradient) {
-    return integers == IntegerColumns::kFree ? poisson.roughly_solved_with_integers(gradient)
-                                             : poisson.roughly_solved(gradient);
+  const Preconditioner preconditioner = [&](const Eigen::VectorXd& gradient, Eigen::VectorXd& result) {
+    result = integers == IntegerColumns::kFree ? poisson.roughly_solved_with_integers(gradient)
+                                               : poisson.roughly_solved(gradient);
   };
   Eigen::VectorXd x(static_cast<Index>(free.size()));
   for (std::size_t k = 0; k < free.size(); ++k) x[static_cast<Index>(k)] = columns[free[k]];

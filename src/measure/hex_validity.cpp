@@ -2,10 +2,15 @@
 #include "measure/hex_validity.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 
+#include "base/instruction_set.hpp"
+#include "base/lanes.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "measure/hex_lanes.hpp"
 
 namespace crossgrain {
 namespace {
@@ -13,46 +18,53 @@ namespace {
 /// A box whose determinant is everywhere near the limit is given up after a millisecond.
 constexpr int kMostCuts = 512;
 
-/// Edges along one axis, by the places of their ends along the other two.
-using EdgesAlong = std::array<std::array<Vector3, 2>, 2>;
+/// Edges along one axis, by the places of their ends along the other two. Real is double, or Lanes of several
+/// hexahedra.
+template <class Real>
+using EdgesAlong = std::array<std::array<BasicVector3<Real>, 2>, 2>;
 
+template <class Real>
 struct ScaledEdges {
-  EdgesAlong x, y, z;  ///< x by (y, z), y by (x, z), z by (x, y); of mean length 1 each
-  bool are_degenerate;
+  EdgesAlong<Real> x, y, z;     ///< x by (y, z), y by (x, z), z by (x, y); of mean length 1 each
+  std::array<Real, 3> lengths;  ///< the sums before
 };
 
-/// Returns whether the mean length is zero or no number.
-bool scale_to_one(EdgesAlong& edges) {
-  double sum = 0;
+template <class Real>
+Real scale_to_one(EdgesAlong<Real>& edges) {
+  Real sum = 0.0;
   for (const auto& row : edges)
-    for (const Vector3& edge : row) sum += norm(edge);
-  if (!(sum > 0) || !std::isfinite(sum)) return true;
+    for (const BasicVector3<Real>& edge : row) sum += norm(edge);
   for (auto& row : edges)
-    for (Vector3& edge : row) edge = (4 / sum) * edge;
-  return false;
+    for (BasicVector3<Real>& edge : row) edge = (4.0 / sum) * edge;
+  return sum;
 }
 
-ScaledEdges edges_of_box(const HexCorners& p) {
-  ScaledEdges edges{{{{p[1] - p[0], p[5] - p[4]}, {p[2] - p[3], p[6] - p[7]}}},
-                    {{{p[3] - p[0], p[7] - p[4]}, {p[2] - p[1], p[6] - p[5]}}},
-                    {{{p[4] - p[0], p[7] - p[3]}, {p[5] - p[1], p[6] - p[2]}}},
-                    false};
-  for (EdgesAlong* const along : {&edges.x, &edges.y, &edges.z}) edges.are_degenerate |= scale_to_one(*along);
+template <class Real>
+ScaledEdges<Real> edges_of_box(const std::array<BasicVector3<Real>, 8>& p) {
+  ScaledEdges<Real> edges{{{{p[1] - p[0], p[5] - p[4]}, {p[2] - p[3], p[6] - p[7]}}},
+                          {{{p[3] - p[0], p[7] - p[4]}, {p[2] - p[1], p[6] - p[5]}}},
+                          {{{p[4] - p[0], p[7] - p[3]}, {p[5] - p[1], p[6] - p[2]}}},
+                          {}};
+  edges.lengths = {scale_to_one(edges.x), scale_to_one(edges.y), scale_to_one(edges.z)};
   return edges;
 }
 
 /// Coefficients of a polynomial of degree two along each axis, at 9 i + 3 j + k.
-using Bezier = std::array<double, 27>;
+template <class Real>
+using BezierOf = std::array<Real, 27>;
+using Bezier = BezierOf<double>;
 
 /// A product of two Bernstein polynomials of degree one has half of the middle one of degree two where their
 /// numbers differ, so that each coefficient is a mean over its sums.
-Bezier determinant_of(const ScaledEdges& edges) {
-  Bezier sums{};
+template <class Real>
+BezierOf<Real> determinant_of(const ScaledEdges<Real>& edges) {
+  BezierOf<Real> sums;
+  sums.fill(Real(0.0));
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t k = 0; k < 2; ++k)
       for (std::size_t l = 0; l < 2; ++l)
         for (std::size_t m = 0; m < 2; ++m) {
-          const Vector3 normal = cross(edges.y[i][k], edges.z[l][m]);
+          const BasicVector3<Real> normal = cross(edges.y[i][k], edges.z[l][m]);
           for (std::size_t j = 0; j < 2; ++j)
             for (std::size_t n = 0; n < 2; ++n)
               sums[9 * (i + l) + 3 * (j + m) + k + n] += dot(edges.x[j][n], normal);
@@ -60,6 +72,18 @@ Bezier determinant_of(const ScaledEdges& edges) {
   constexpr std::array<double, 3> kWeights{1, 0.5, 1};
   for (std::size_t c = 0; c < 27; ++c) sums[c] *= kWeights[c / 9] * kWeights[c / 3 % 3] * kWeights[c % 3];
   return sums;
+}
+
+/// Whether hexahedra are valid by their coefficients alone, as nearly all are.
+template <int W>
+LaneMask<double, W> are_surely_valid(const CornerLanes<W>& corners) {
+  const ScaledEdges<Lanes<W>> edges = edges_of_box(corners);
+  const BezierOf<Lanes<W>> coefficients = determinant_of(edges);
+  auto result = coefficients[0] > kLeastJacobian;
+  for (const Lanes<W>& coefficient : coefficients) result = result & (coefficient > kLeastJacobian);
+  for (const Lanes<W>& length : edges.lengths)
+    result = result & (length > 0.0) & (length < std::numeric_limits<double>::max());
+  return result;
 }
 
 struct ParameterBox {
@@ -107,8 +131,9 @@ void add_eighths(const Bezier& whole, std::vector<ParameterBox>& boxes) {
 /// Cuts boxes until `is_enough(bounds)`.
 template <class IsEnough>
 JacobianBounds bounded(const HexCorners& corners, const IsEnough& is_enough) {
-  const ScaledEdges edges = edges_of_box(corners);
-  if (edges.are_degenerate) return {0, 0};
+  const ScaledEdges<double> edges = edges_of_box(corners);
+  for (const double length : edges.lengths)
+    if (!(length > 0) || !std::isfinite(length)) return {0, 0};
   const ParameterBox whole(determinant_of(edges));
   JacobianBounds bounds{whole.lower, whole.upper()};
   if (is_enough(bounds)) return bounds;
@@ -148,9 +173,29 @@ HexCorners corners_of(const HexMesh& mesh, std::size_t hexahedron) {
   return corners;
 }
 
+bool are_valid(const std::vector<Vector3>& places, std::span<const std::array<std::uint32_t, 8>> hexahedra,
+               std::span<const std::uint8_t> which) {
+  std::atomic<bool> are_valid = true;
+  parallel_for_lanes(hexahedra.size(), [&]<int W>(std::size_t first, int count) {
+    if (!are_valid.load(std::memory_order_relaxed)) return;
+    const CornerLanes<W> corners = corner_lanes<W>(places, hexahedra, first, count);
+    const LaneMask<double, W> are_sure = are_surely_valid<W>(corners);
+    for (int lane = 0; lane < count; ++lane)
+      if (which[first + static_cast<std::size_t>(lane)] && !are_sure[lane] &&
+          !is_valid(in_lane(corners, lane)))
+        are_valid.store(false, std::memory_order_relaxed);
+  });
+  return are_valid;
+}
+
 std::vector<std::uint8_t> inverted_hexahedra(const HexMesh& mesh) {
   std::vector<std::uint8_t> result(mesh.hexahedra.size());
-  parallel_for(result.size(), [&](std::size_t h) { result[h] = !is_valid(corners_of(mesh, h)); });
+  parallel_for_lanes(result.size(), [&]<int W>(std::size_t first, int count) {
+    const CornerLanes<W> corners = corner_lanes<W>(mesh.vertices, mesh.hexahedra, first, count);
+    const LaneMask<double, W> are_sure = are_surely_valid<W>(corners);
+    for (int lane = 0; lane < count; ++lane)
+      result[first + static_cast<std::size_t>(lane)] = !are_sure[lane] && !is_valid(in_lane(corners, lane));
+  });
   return result;
 }
 

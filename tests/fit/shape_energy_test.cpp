@@ -24,6 +24,13 @@ std::array<Vector3, 8> disturbed_cube(double reach, std::mt19937& random) {
   return corners;
 }
 
+/// Of one hexahedron of size 1.
+double energy_of(const std::vector<Vector3>& corners, const CornerEnergyOptions& options,
+                 std::vector<Vector3>& gradient) {
+  const std::vector<std::array<std::uint32_t, 8>> one{{0, 1, 2, 3, 4, 5, 6, 7}};
+  return ShapeEnergy(8, one, {1.0})(corners, options, gradient);
+}
+
 /// Two hexahedra one above the other, with all vertices moved.
 struct Stack {
   std::vector<Vector3> places;
@@ -47,17 +54,36 @@ TEST(ShapeEnergy, IsThatOfCubesForACubeOfTheSize) {
   std::mt19937 random(1);
   const std::array<Vector3, 8> cube = disturbed_cube(0, random);
   EXPECT_DOUBLE_EQ(energy_at(cube, 3, 1, kPlain), 4 * 3.1);
-  const CornerEnergy corner = corner_energy({Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, kPlain);
-  EXPECT_DOUBLE_EQ(corner.value, 3.1);
-  for (const Vector3& by_edge : corner.by_edge) EXPECT_LT(norm(by_edge), 1e-15);
+  std::vector<Vector3> gradient;
+  EXPECT_DOUBLE_EQ(energy_of({cube.begin(), cube.end()}, kPlain, gradient), 8 * 3.1);
+  for (const Vector3& of_vertex : gradient) EXPECT_LT(norm(of_vertex), 1e-15);
+}
+
+TEST(ShapeEnergy, IsThatOfCornersOneByOne) {
+  // The corners that a vertex is part of are its own and three others: each is counted four times.
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 20; ++trial) {
+    const std::array<Vector3, 8> corners = disturbed_cube(0.2, random);
+    const CornerEnergyOptions options{.volume_weight = 0.3, .power = 1 + trial % 3};
+    double sum = 0;
+    for (std::size_t k = 0; k < 8; ++k) sum += energy_at(corners, k, 1, options) / 4;
+    std::vector<Vector3> gradient;
+    EXPECT_NEAR(energy_of({corners.begin(), corners.end()}, options, gradient), sum, 1e-13 * sum);
+  }
 }
 
 TEST(ShapeEnergy, IsInfiniteWhereACornerHasNoVolume) {
-  EXPECT_EQ(corner_energy({Vector3{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, kPlain).value, INFINITY);
-  EXPECT_EQ(corner_energy({Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, kPlain).value, INFINITY);
+  std::mt19937 random(1);
+  const std::array<Vector3, 8> cube = disturbed_cube(0, random);
   CornerEnergyOptions regularised = kPlain;
   regularised.epsilon = 0.1;
-  EXPECT_LT(corner_energy({Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, regularised).value, 1e4);
+  std::vector<Vector3> gradient;
+  for (const double height : {0.0, -1.0}) {
+    std::vector<Vector3> flat(cube.begin(), cube.end());
+    for (Vector3& place : flat) place[2] *= height;
+    EXPECT_EQ(energy_of(flat, kPlain, gradient), INFINITY);
+    EXPECT_LT(energy_of(flat, regularised, gradient), 1e5);
+  }
 }
 
 TEST(ShapeEnergy, HasTheGradientOfItsDifferences) {

@@ -8,8 +8,8 @@
 namespace crossgrain {
 namespace {
 
-Eigen::VectorXd unchanged(const Eigen::VectorXd& gradient) {
-  return gradient;
+void keep(const Eigen::VectorXd& gradient, Eigen::VectorXd& result) {
+  result = gradient;
 }
 
 TEST(Descent, FindsTheMinimumOfRosenbrocksValley) {
@@ -20,7 +20,7 @@ TEST(Descent, FindsTheMinimumOfRosenbrocksValley) {
     return 100 * across * across + along * along;
   };
   const Descent found =
-      minimised(valley, unchanged, Eigen::Vector2d(-1.2, 1), {.steps = 200, .least_gain = 1e-14});
+      minimised(valley, keep, Eigen::Vector2d(-1.2, 1), {.steps = 200, .least_gain = 1e-14});
   EXPECT_NEAR(found.x[0], 1, 1e-4);
   EXPECT_NEAR(found.x[1], 1, 1e-4);
   EXPECT_NEAR(found.first_value, 24.2, 1e-12);
@@ -31,7 +31,7 @@ TEST(Descent, StaysWhereTheGradientVanishes) {
     gradient = Eigen::VectorXd::Zero(x.size());
     return 3.0;
   };
-  const Descent found = minimised(flat, unchanged, Eigen::Vector3d(1, 2, 3), {});
+  const Descent found = minimised(flat, keep, Eigen::Vector3d(1, 2, 3), {});
   EXPECT_EQ(found.value, 3);
   EXPECT_EQ(found.x, Eigen::Vector3d(1, 2, 3));
 }
