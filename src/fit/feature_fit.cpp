@@ -149,13 +149,6 @@ class FittingWays {
 
   bool is_good() const { return fit_.best.is_good(); }
 
-  /// Whether the mesh was moved, and is off the model by what other layers do not mend.
-  bool is_elsewhere() const {
-    constexpr double kElsewhere = 0.5;
-    const SurfaceDistances& distances = fit_.best.measure.distances;
-    const double most = std::max(distances.of_mesh.largest_in_all, distances.of_model.largest_in_all);
-    return !is_as_given() && fit_.best.invalid == 0 && most > kElsewhere;
-  }
   bool is_faithful() const { return fit_.best.invalid == 0 && fit_.best.measure.is_faithful(); }
   bool is_fair() const { return is_good() && fit_.best.least >= kFairShape; }
   bool is_as_given() const { return fit_.best_try == 0; }
@@ -174,39 +167,41 @@ class FittingWays {
     keep_moved(HexFitWay::kSnapped, embedded_, {.point_rounds = 0, .slide_rounds = 0, .relaxations = 1});
   }
 
-  void fit() { keep_moved(HexFitWay::kFitted, embedded_, {}); }
+  void fit() {
+    keep_moved(HexFitWay::kFitted, embedded_, {});
+    for (Layers& way : layers_) way.is_usable &= way.added > 0;
+  }
 
-  /// With layers where they are needed, or with one everywhere: first that of fewer hexahedra; the other
-  /// unless the first is good, or keeps all and the other is dearer by kMostBeside, or the first is
-  /// elsewhere.
-  void fit_with_layers() {
-    struct Way {
-      HexFitWay way;
-      AddedLayers (*add)(HexMesh&, const FeatureComplex&, Embedding&);
-      Embedded embedded;
-      std::size_t added = 0;
-      bool is_usable = false;
-    };
+  /// Makes both ways of layers: where they are needed, and one everywhere; first that of fewer hexahedra.
+  /// Returns whether they are needed anywhere.
+  bool add_layers_to_embedded() {
     require_memory_of(static_cast<double>(embedded_.mesh.hexahedra.size() + embedded_.mesh.boundary.size()));
-    std::array<Way, 2> ways{
-        {{HexFitWay::kLayered, add_layers, embedded_}, {HexFitWay::kPadded, add_padding, embedded_}}};
-    for (Way& way : ways) {
+    layers_ = {{{HexFitWay::kLayered, add_layers, embedded_}, {HexFitWay::kPadded, add_padding, embedded_}}};
+    for (Layers& way : layers_) {
       way.added = way.add(way.embedded.mesh, way.embedded.features, way.embedded.embedding).hexahedra();
       way.is_usable = is_manifold(way.embedded.mesh);
     }
     // Both may be the same.
-    Way &layered = ways[0], &padded = ways[1];
+    Layers &layered = layers_[0], &padded = layers_[1];
+    const bool are_needed = layered.is_usable && layered.added > 0;
     padded.is_usable &= padded.added > 0 && (padded.added != layered.added || !layered.is_usable);
     if (padded.is_usable && (padded.added < layered.added || !layered.is_usable)) std::swap(layered, padded);
-    const auto most = kMostBeside * static_cast<double>(ways[0].embedded.mesh.hexahedra.size());
-    for (const Way& way : ways) {
+    return are_needed;
+  }
+
+  /// With the layers that were added: the second way unless the first is good, or keeps all and the second is
+  /// dearer by kMostBeside, or the first is off the model by what other layers do not mend.
+  void fit_with_layers() {
+    const auto most = kMostBeside * static_cast<double>(layers_[0].embedded.mesh.hexahedra.size());
+    bool is_elsewhere = false;
+    for (const Layers& way : layers_) {
       if (!way.is_usable) continue;
-      const bool is_first = &way == &ways[0];
-      if (is_good() || (!is_first && is_elsewhere())) return;
+      const bool is_first = &way == &layers_[0];
+      if (is_good() || is_elsewhere) return;
       const auto number = static_cast<double>(way.embedded.mesh.hexahedra.size());
       if (!is_first && is_faithful() && number > most) return;
       require_memory_of(number);
-      keep_moved(way.way, way.embedded, {});
+      is_elsewhere = keep_moved(way.way, way.embedded, {});
     }
   }
 
@@ -219,12 +214,18 @@ class FittingWays {
   }
 
  private:
-  /// An embedded mesh, moved onto its features.
-  void keep_moved(HexFitWay way, const Embedded& embedded, const HexFittingOptions& options) {
+  /// An embedded mesh, moved onto its features. Returns whether it is valid and far off the model.
+  bool keep_moved(HexFitWay way, const Embedded& embedded, const HexFittingOptions& options) {
+    constexpr double kFar = 0.5;
     HexMesh mesh = embedded.mesh;
     fit_onto(mesh, embedded.features, carriers_in(embedded), size_, options);
     tag_boundary(mesh, embedded);
-    keep(way, measured(std::move(mesh), features_, size_), embedded.embedding.faults.size());
+    FittedMesh made = measured(std::move(mesh), features_, size_);
+    const SurfaceDistances& distances = made.measure.distances;
+    const bool is_far = made.invalid == 0 &&
+                        std::max(distances.of_mesh.largest_in_all, distances.of_model.largest_in_all) > kFar;
+    keep(way, std::move(made), embedded.embedding.faults.size());
+    return is_far;
   }
 
   /// Soft curves without a path divide faces all the same: quads have the number of the nearest of those that
@@ -257,11 +258,20 @@ class FittingWays {
     fit_.best_try = fit_.tries.size() - 1;
   }
 
+  struct Layers {
+    HexFitWay way;
+    AddedLayers (*add)(HexMesh&, const FeatureComplex&, Embedding&);
+    Embedded embedded;
+    std::size_t added = 0;
+    bool is_usable = false;
+  };
+
   const HexMesh& given_;
   const FeatureComplex& features_;
   const double size_;
   Stopwatch stopwatch_;
   Embedded embedded_;
+  std::array<Layers, 2> layers_;
   FeatureFit fit_;
 };
 
@@ -316,9 +326,12 @@ FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& feature
       ways.embed();
       if (tried == FitWays::kAll) {
         ways.snap();
-        if (!ways.is_fair()) ways.fit();
+        // Where angles need layers, moving vertices without them was the best on none of 47 maps.
+        const bool needs_layers = !ways.is_good() && ways.add_layers_to_embedded();
+        if (!needs_layers && !ways.is_fair()) ways.fit();
         if (!ways.is_good()) ways.fit_with_layers();
       } else {
+        ways.add_layers_to_embedded();
         ways.fit_with_layers();
         if (!ways.is_faithful()) ways.snap();
       }
