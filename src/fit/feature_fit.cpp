@@ -21,6 +21,7 @@
 #include "fit/hex_carriers.hpp"
 #include "fit/hex_fitting.hpp"
 #include "fit/layers.hpp"
+#include "fit/patch_lift.hpp"
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
 #include "measure/hex_validity.hpp"
@@ -218,14 +219,30 @@ class FittingWays {
   bool keep_moved(HexFitWay way, const Embedded& embedded, const HexFittingOptions& options) {
     constexpr double kFar = 0.5;
     HexMesh mesh = embedded.mesh;
-    fit_onto(mesh, embedded.features, carriers_in(embedded), size_, options);
+    const HexCarriers carriers = carriers_in(embedded);
+    fit_onto(mesh, embedded.features, carriers, size_, options);
     tag_boundary(mesh, embedded);
     FittedMesh made = measured(std::move(mesh), features_, size_);
     const SurfaceDistances& distances = made.measure.distances;
     const bool is_far = made.invalid == 0 &&
                         std::max(distances.of_mesh.largest_in_all, distances.of_model.largest_in_all) > kFar;
-    keep(way, std::move(made), embedded.embedding.faults.size());
+    const std::size_t unplaced = embedded.embedding.faults.size();
+    try {
+      if (made.invalid == 0 && made.least < kGoodShape && !is_far) lift(embedded, carriers, made);
+    } catch (...) {
+      keep(way, std::move(made), unplaced);
+      throw;
+    }
+    keep(way, std::move(made), unplaced);
     return is_far;
+  }
+
+  /// Lifts poor hexahedra, where the mesh is better then.
+  void lift(const Embedded& embedded, const HexCarriers& carriers, FittedMesh& made) const {
+    HexMesh lifted = made.mesh;
+    if (lift_patches(lifted, embedded.features, carriers, size_) == 0) return;
+    FittedMesh other = measured(std::move(lifted), features_, size_);
+    if (is_better_fit(other, made)) made = std::move(other);
   }
 
   /// Soft curves without a path divide faces all the same: quads have the number of the nearest of those that

@@ -109,15 +109,41 @@ void FittingTargets::spread_curves(const HexMesh& mesh) {
     if (path.size() < 2) continue;
     const std::vector<double> shares =
         features_.shares(c, path.size() - 1, size_, first_share(c, path, mesh));
+    set_windows(c, shares);
+    for (std::size_t k = 0; k + 1 < path.size(); ++k)
+      if (is_on_curve(path[k], c)) evenly_[path[k]] = features_.on_curve(c, shares[k]).point;
+  }
+}
+
+bool FittingTargets::is_on_curve(std::uint32_t vertex, std::uint32_t curve) const {
+  return carriers_.of_vertex[vertex] == HexCarrier{Kind::kCurve, curve};
+}
+
+/// `shares`: of the path's vertices, ascending.
+void FittingTargets::set_windows(std::uint32_t curve, const std::vector<double>& shares) {
+  const std::vector<std::uint32_t>& path = carriers_.path_of_curve[curve];
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    if (!is_on_curve(path[k], curve)) continue;
+    const double after = shares[k + 1] - shares[k];
+    const double before =
+        k > 0 ? shares[k] - shares[k - 1] : shares[path.size() - 1] - shares[path.size() - 2];
+    const double slide = kSlide * std::min(before, after);
+    windows_[path[k]] = {shares[k] - slide, shares[k] + slide};
+  }
+}
+
+void FittingTargets::slide_from(const HexMesh& mesh) {
+  for (std::uint32_t c = 0; c < carriers_.path_of_curve.size(); ++c) {
+    const std::vector<std::uint32_t>& path = carriers_.path_of_curve[c];
+    if (path.size() < 2) continue;
+    std::vector<double> shares(path.size(), 0);
     for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      if (carriers_.of_vertex[path[k]] != HexCarrier{Kind::kCurve, c}) continue;
-      const double after = shares[k + 1] - shares[k];
-      const double before =
-          k > 0 ? shares[k] - shares[k - 1] : shares[path.size() - 1] - shares[path.size() - 2];
-      const double slide = kSlide * std::min(before, after);
-      windows_[path[k]] = {shares[k] - slide, shares[k] + slide};
-      evenly_[path[k]] = features_.on_curve(c, shares[k]).point;
+      if (!is_on_curve(path[k], c)) continue;
+      const auto& [low, high] = windows_[path[k]];
+      shares[k] = features_.nearest_on_curve(c, mesh.vertices[path[k]], low, high);
     }
+    shares.back() = is_on_curve(path.back(), c) ? shares[0] + features_.length(c) : features_.length(c);
+    set_windows(c, shares);
   }
 }
 

@@ -33,6 +33,10 @@ class FittingTargets {
   /// moves as its neighbours do in the mean, from the places of the mesh on.
   void spread(const HexMesh& mesh);
 
+  /// Lets vertices on curves slide about where they are now. To be called after `spread`, of places on the
+  /// curves within what it allows.
+  void slide_from(const HexMesh& mesh);
+
   /// Where `spread` put the vertices that have a carrier.
   const std::vector<Vector3>& evenly() const { return evenly_; }
 
@@ -47,6 +51,8 @@ class FittingTargets {
 
  private:
   void spread_curves(const HexMesh& mesh);
+  bool is_on_curve(std::uint32_t vertex, std::uint32_t curve) const;
+  void set_windows(std::uint32_t curve, const std::vector<double>& shares);
   void spread_faces(const HexMesh& mesh);
   double first_share(std::uint32_t curve, const std::vector<std::uint32_t>& path, const HexMesh& mesh) const;
 

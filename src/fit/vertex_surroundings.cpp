@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "fit/corner_shape.hpp"
 #include "measure/hex_faces.hpp"
 
 namespace crossgrain {
@@ -21,22 +22,6 @@ double eleventh_power(double base) {
   const double square = base * base, fourth = square * square;
   return fourth * fourth * square * base;
 }
-
-struct CornerShape {
-  std::array<Vector3, 3> edges, cofactors;
-  double lengths, value;  ///< product of the edges' lengths; scaled Jacobian
-
-  CornerShape(const HexCorners& corners, std::size_t k) {
-    for (std::size_t n = 0; n < 3; ++n) edges[n] = corners[kHexNeighbours[k][n]] - corners[k];
-    for (std::size_t n = 0; n < 3; ++n) cofactors[n] = cross(edges[(n + 1) % 3], edges[(n + 2) % 3]);
-    lengths = std::sqrt(dot(edges[0], edges[0]) * dot(edges[1], edges[1]) * dot(edges[2], edges[2]));
-    value = lengths > 0 ? dot(cofactors[2], edges[2]) / lengths : 0;
-  }
-
-  Vector3 by_edge(std::size_t n) const {
-    return (1 / lengths) * cofactors[n] - (value / dot(edges[n], edges[n])) * edges[n];
-  }
-};
 
 }  // namespace
 
