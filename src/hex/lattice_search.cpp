@@ -37,11 +37,14 @@
 namespace crossgrain {
 namespace {
 
+/// The worst scaled Jacobian with which better shapes are not worth hexahedra beyond kMostOfLattice.
+constexpr double kFairShape = 0.1;
+
 /// What makes one result worth less than another.
 auto flaws_of(const HexReport& report) {
   const std::size_t lacking = report.features ? report.features->lacking.size() : SIZE_MAX;
   const double least = report.quality.least;
-  return std::tuple(report.outcome, least < kPoorestShape, lacking, least < 0.1, least < kGoodShape,
+  return std::tuple(report.outcome, least < kPoorestShape, lacking, least < kFairShape, least < kGoodShape,
                     std::bit_width(report.quality.below_tenth), report.hexahedra);
 }
 
@@ -111,7 +114,9 @@ bool LatticeSearch::prepare() {
     }
     Lattice lattice = lattice_at(size);
     const auto cells = static_cast<double>(lattice.mesh.hexahedra.size());
-    if (best_ && (cells > std::max(kFew, kMostOfLattice * expected_) || fitted_ + cells > most)) {
+    const bool is_fair = best_ && best_->outcome == HexOutcome::kAllHex && best_->quality.least >= kFairShape;
+    const double number = is_fair ? fitted_count(lattice) : cells;
+    if (best_ && (number > std::max(kFew, kMostOfLattice * expected_) || fitted_ + cells > most)) {
       is_raised_ ? give_up_level() : next_coarse();
       continue;
     }
