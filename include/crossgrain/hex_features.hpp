@@ -101,7 +101,7 @@ struct HexFitTry {
 };
 
 /// Returns what is lacking: "2 creases are not kept, the first, edge 14, around 1 2 3"; empty if nothing is.
-/// `size` is that of the hexahedra (HexReport::used_size), which distances are given beside.
+/// `size` is that asked for (HexReport::size), which distances are given beside.
 std::string lacks_of(const HexFeatures& features, double size);
 
 /// Returns how the topology differs: "it has 1 tunnel, the model 2"; empty if it does not.

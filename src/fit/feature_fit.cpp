@@ -138,14 +138,14 @@ HexCarriers carriers_in(const Embedded& embedded) {
 /// The ways, one after the other, with the best so far.
 class FittingWays {
  public:
-  FittingWays(const HexMesh& mesh, const FeatureComplex& features, double size)
-      : given_(mesh), features_(features), size_(size) {}
+  FittingWays(const HexMesh& mesh, const FeatureComplex& features, const FitSizes& sizes)
+      : given_(mesh), features_(features), sizes_(sizes) {}
 
   void measure_given() {
     require_memory(bytes_to_fit_to(features_),
                    fmt::format("fitting hexahedra to {}", counted(features_.triangles.size(), "triangle")),
                    Remedy::kAllowMemory);
-    keep(HexFitWay::kAsMapped, measured(given_, features_, size_), 0);
+    keep(HexFitWay::kAsMapped, measured(given_, features_, sizes_.judged), 0);
   }
 
   bool is_good() const { return fit_.best.is_good(); }
@@ -157,7 +157,7 @@ class FittingWays {
   void embed() {
     for (const bool makes_room : {true, false}) {
       embedded_ = {given_, features_, {}};
-      embedded_.embedding = embedded(embedded_.mesh, embedded_.features, size_, {makes_room});
+      embedded_.embedding = embedded(embedded_.mesh, embedded_.features, sizes_.edge, {makes_room});
       if (is_manifold(embedded_.mesh)) return;
     }
   }
@@ -220,12 +220,12 @@ class FittingWays {
     constexpr double kFar = 0.5;
     HexMesh mesh = embedded.mesh;
     const HexCarriers carriers = carriers_in(embedded);
-    fit_onto(mesh, embedded.features, carriers, size_, options);
+    fit_onto(mesh, embedded.features, carriers, sizes_.edge, options);
     tag_boundary(mesh, embedded);
-    FittedMesh made = measured(std::move(mesh), features_, size_);
+    FittedMesh made = measured(std::move(mesh), features_, sizes_.judged);
     const SurfaceDistances& distances = made.measure.distances;
-    const bool is_far = made.invalid == 0 &&
-                        std::max(distances.of_mesh.largest_in_all, distances.of_model.largest_in_all) > kFar;
+    const bool is_far =
+        made.invalid == 0 && std::max(distances.of_mesh.largest, distances.of_model.largest) > kFar;
     const std::size_t unplaced = embedded.embedding.faults.size();
     try {
       if (made.invalid == 0 && made.least < kGoodShape && !is_far) lift(embedded, carriers, made);
@@ -240,8 +240,8 @@ class FittingWays {
   /// Lifts poor hexahedra, where the mesh is better then.
   void lift(const Embedded& embedded, const HexCarriers& carriers, FittedMesh& made) const {
     HexMesh lifted = made.mesh;
-    if (lift_patches(lifted, embedded.features, carriers, size_) == 0) return;
-    FittedMesh other = measured(std::move(lifted), features_, size_);
+    if (lift_patches(lifted, embedded.features, carriers, sizes_.edge) == 0) return;
+    FittedMesh other = measured(std::move(lifted), features_, sizes_.judged);
     if (is_better_fit(other, made)) made = std::move(other);
   }
 
@@ -285,7 +285,7 @@ class FittingWays {
 
   const HexMesh& given_;
   const FeatureComplex& features_;
-  const double size_;
+  const FitSizes sizes_;
   Stopwatch stopwatch_;
   Embedded embedded_;
   std::array<Layers, 2> layers_;
@@ -334,9 +334,9 @@ bool is_better_fit(const FittedMesh& mesh, const FittedMesh& other) {
   return worth(mesh) > worth(other);
 }
 
-FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, double size,
+FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, const FitSizes& sizes,
                               FitWays tried) {
-  FittingWays ways(mesh, features, size);
+  FittingWays ways(mesh, features, sizes);
   try {
     ways.measure_given();
     if (!ways.is_good() && is_manifold(mesh)) {

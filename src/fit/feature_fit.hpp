@@ -39,6 +39,11 @@ struct FeatureFit {
   std::optional<Error> limit = {};  ///< of memory, which kept other ways from being tried
 };
 
+struct FitSizes {
+  double edge;    ///< about that of the hexahedra
+  double judged;  ///< in which lengths of features and distances are counted: the size asked for
+};
+
 /// Which ways are tried: of the cells of a lattice, steps stand where faces are, and only layers of new
 /// hexahedra turn these into faces; single vertices are moved there where these keep less.
 enum class FitWays { kAll, kLayersOnly };
@@ -51,11 +56,11 @@ enum class FitWays { kAll, kLayersOnly };
 /// worst hexahedron is of the better class; then it has less than half as many poor ones; then fewer
 /// hexahedra.
 ///
-/// `size` is about the edge of the hexahedra. Quads have the number of the model's face that they lie on.
+/// Quads have the number of the model's face that they lie on.
 /// Old vertices and hexahedra keep their numbers. Regions stay; hexahedra of all regions are one solid here.
 /// The same to the bit for any number of threads. A stop of watched loops, and their limit of
 /// memory, return what there is.
-FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, double size,
+FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& features, const FitSizes& sizes,
                               FitWays tried = FitWays::kAll);
 
 /// Worst scaled Jacobians: good ones, and the least that finite elements are commonly computed on.

@@ -60,7 +60,7 @@ void fit(HexCandidate& candidate) {
   if (!is_one_region(mesh) || !body_contacts(followed.solid()).empty()) return;
   const FeatureComplex features = features_of_model(followed.field().domain());
   if (features.faces.size() > kMostListedFaces) return;
-  FeatureFit fitted = fitted_to_features(mesh, features, candidate.attempt.size);
+  FeatureFit fitted = fitted_to_features(mesh, features, {candidate.attempt.size, candidate.asked_size});
   mesh = std::move(fitted.best.mesh);
   fitted.best.mesh = {};
   candidate.made->quality = quality_of(mesh);

@@ -118,7 +118,7 @@ void judge_features(const HexMesh& mesh, HexReport& report) {
         {HexLackKind::kVolume, 0, report.largest_distance_of_model_place, features.volume_ratio});
   if (features.lacking.empty()) return;
   report.outcome = HexOutcome::kApproximate;
-  report.reason = lacks_of(features, report.used_size);
+  report.reason = lacks_of(features, report.size);
   for (const HexFeatures::Lack& lack : features.lacking)
     if (report.places.size() < HexReport::kMostPlaces) report.places.push_back(lack.place);
   if (size) {

@@ -213,7 +213,7 @@ Hexahedra best_of_maps(const AttemptQueue& queue) {
   judge_solids(mesh, {extracted.centre_tets, followed.solid()}, field.domain(), contacts, report, whole);
   if (report.outcome == HexOutcome::kAllHex) {
     if (!report.features && contacts.empty())
-      report.features = features_kept(mesh, features_of_model(field.domain()), report.used_size);
+      report.features = features_kept(mesh, features_of_model(field.domain()), report.size);
     judge_features(mesh, report);
     explain_shapes(queue.least_quality(), report);
   } else {

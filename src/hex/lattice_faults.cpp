@@ -60,7 +60,7 @@ std::vector<Fault> faults_of(const HexMesh& mesh, const HexFeatures& features, c
 std::vector<FinePlace> places_to_refine(const HexMesh& mesh, const HexReport& report, const Surface& model,
                                         double size, const std::vector<FinePlace>& earlier) {
   if (!report.features) return {};
-  const std::vector<Fault> faults = faults_of(mesh, *report.features, model, size);
+  const std::vector<Fault> faults = faults_of(mesh, *report.features, model, report.size);
   if (faults.empty()) return {};
   // Without the earlier ones their faults would come back.
   std::vector<FinePlace> fine = earlier;

@@ -180,8 +180,8 @@ LatticeSearch::Trial LatticeSearch::fitted(Prepared& prepared) {
   LatticeHexahedra made;
   made.mesh = std::move(prepared.lattice.mesh);
   made.mesh.unit = model_.solid.mesh.unit;
-  made.report = fit_to_model(model_, prepared.size, FitWays::kLayersOnly, monitor_, made.mesh, made.warnings);
-  made.report.size = asked_size_;
+  made.report = fit_to_model(model_, {prepared.size, asked_size_}, FitWays::kLayersOnly, monitor_, made.mesh,
+                             made.warnings);
   made.report.expected = expected_;
   made.has_joined = made.report.outcome != HexOutcome::kAllHex && touches_itself_.value_or(false);
   attempt.outcome = made.report.outcome;

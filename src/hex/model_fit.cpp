@@ -338,11 +338,11 @@ std::optional<Warning> poor_fit(const HexReport& report) {
     }
     faults.push_back(std::move(fault));
   }
-  if (distance > kPoorDistance * report.used_size && report.outcome != HexOutcome::kApproximate)
+  if (distance > kPoorDistance * report.size && report.outcome != HexOutcome::kApproximate)
     faults.push_back(fmt::format("{} by up to {:.2g}, at {}, which is {:.2g} of their size",
                                  is_off ? "are off the model's surface" : "miss parts of the model's surface",
                                  distance, words_of_place(at, std::cbrt(report.model_volume)),
-                                 distance / report.used_size));
+                                 distance / report.size));
   if (faults.empty()) return std::nullopt;
   return Warning(WarningKind::kPoorFit, fmt::format("the hexahedra {}", fmt::join(faults, " and ")));
 }

@@ -56,7 +56,7 @@ std::optional<Error> fit(const FittingModel& model, FitWays ways, const Monitor&
   tag_by_nearest_faces(model.features, mesh);
   if (model.features.faces.size() > kMostListedFaces) return std::nullopt;
   const WatchedLoops watched(monitor, Stops::kHeeded);
-  FeatureFit fitted = fitted_to_features(mesh, model.features, report.used_size, ways);
+  FeatureFit fitted = fitted_to_features(mesh, model.features, {report.used_size, report.size}, ways);
   if (fitted.is_stopped && fitted.tries.empty()) throw Error(ErrorKind::kInterrupted, "interrupted");
   mesh = std::move(fitted.best.mesh);
   record(fitted, report);
@@ -143,10 +143,11 @@ double median_edge(const HexMesh& mesh) {
   return *middle;
 }
 
-HexReport fit_to_model(const FittingModel& model, double size, FitWays ways, const Monitor& monitor,
+HexReport fit_to_model(const FittingModel& model, const FitSizes& sizes, FitWays ways, const Monitor& monitor,
                        HexMesh& mesh, std::vector<Warning>& warnings) {
   HexReport report;
-  report.size = report.used_size = size;
+  report.size = sizes.judged;
+  report.used_size = sizes.edge;
   report.expected = static_cast<double>(mesh.hexahedra.size());
   report.quality_before = quality_of(mesh);
   mesh.boundary.clear();
@@ -158,7 +159,7 @@ HexReport fit_to_model(const FittingModel& model, double size, FitWays ways, con
   judge_validity(mesh, report);
   if (report.outcome == HexOutcome::kAllHex) {
     if (!report.features || !mesh.regions.empty())
-      report.features = features_kept(mesh, model.features, report.used_size);
+      report.features = features_kept(mesh, model.features, report.size);
     judge_features(mesh, report);
     explain_shapes(HexTuning().least_quality, report);
   }

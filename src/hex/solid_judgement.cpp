@@ -107,7 +107,7 @@ void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomai
                   const std::vector<BodyContact>& contacts, HexReport& report, SolveReport& whole) {
   const TetSolid& model = domain.data().solid;
   const bool is_united = whole.onto->united;
-  const HexInterfaces interfaces = interfaces_of(mesh, model, kOnInterface * report.used_size);
+  const HexInterfaces interfaces = interfaces_of(mesh, model, kOnInterface * report.size);
   report.interface_faces = interfaces.faces;
   report.largest_interface_distance = interfaces.largest_distance;
   if (interfaces.off > 0 && !is_united) {
@@ -117,7 +117,7 @@ void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomai
             "hexahedra do not keep to the faces between solids: {} of {} between them are off, by up to "
             "{:.2g} ({:.2g} of their size) at {}",
             interfaces.off, counted(interfaces.faces, "face"), interfaces.largest_distance,
-            interfaces.largest_distance / report.used_size, words_of_place(interfaces.place)));
+            interfaces.largest_distance / report.size, words_of_place(interfaces.place)));
   }
   const bool are_in_contact = !contacts.empty() && contacts.front().is_of_areas();
   const bool is_whole = report.outcome == HexOutcome::kAllHex;
@@ -134,7 +134,7 @@ void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomai
 
 void judge_interfaces(const SolveReport& whole, HexReport& report) {
   const bool fills = report.outcome == HexOutcome::kAllHex || report.outcome == HexOutcome::kApproximate;
-  const double off = report.largest_interface_distance / report.used_size;
+  const double off = report.largest_interface_distance / report.size;
   if (!fills || (whole.onto && whole.onto->united) || !(off > kMostOffInAll)) return;
   report.outcome = HexOutcome::kApproximate;
   report.reason += fmt::format(

@@ -138,9 +138,9 @@ std::string distances_of(const HexReport& report) {
   // Those at vertices, and within quads.
   const auto largest = [&](double at_vertices, const Vector3& place, const HexFeatures::Distances* in_all) {
     Largest result{at_vertices, place};
-    if (in_all && in_all->largest_in_all * report.used_size > at_vertices)
-      result = {in_all->largest_in_all * report.used_size, in_all->place_in_all};
-    if (result.distance < kOnSurface * report.used_size) result.distance = 0;
+    if (in_all && in_all->largest_in_all * report.size > at_vertices)
+      result = {in_all->largest_in_all * report.size, in_all->place_in_all};
+    if (result.distance < kOnSurface * report.size) result.distance = 0;
     return result;
   };
   const HexFeatures* const features = report.features ? &*report.features : nullptr;

@@ -56,8 +56,9 @@ FittedHexahedra fitted_to(const HexMesh& mesh, const Read& read, const HexFitOpt
   report.seconds.read = stopwatch.restart();
   fitted.mesh.unit = report.model.unit;
   fitted.mesh.warnings.clear();
+  const double edge = median_edge(mesh);
   report.hexahedra =
-      fit_to_model(model.model, median_edge(mesh), FitWays::kAll, monitor, fitted.mesh, report.warnings);
+      fit_to_model(model.model, {edge, edge}, FitWays::kAll, monitor, fitted.mesh, report.warnings);
   count_quads(fitted.mesh, report.faces);
   for (auto& warning : {faces_without_quads(report.faces, model.model.solid, *report.hexahedra),
                         faces_off(report.faces, *report.hexahedra)})

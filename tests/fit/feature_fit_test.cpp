@@ -25,7 +25,7 @@ FittedShape dented_box() {
 
 TEST(FeatureFit, LeavesAMeshThatKeepsAllAsItIs) {
   FittedShape shape = lattice_in_box({5, 4, 3});
-  const FeatureFit fit = fitted_to_features(shape.mesh, shape.complex, 1);
+  const FeatureFit fit = fitted_to_features(shape.mesh, shape.complex, {1, 1});
   EXPECT_EQ(fit.tries.size(), 1u);
   EXPECT_EQ(fit.best.mesh.vertices, shape.mesh.vertices);
   EXPECT_TRUE(fit.best.is_good());
@@ -33,7 +33,7 @@ TEST(FeatureFit, LeavesAMeshThatKeepsAllAsItIs) {
 
 TEST(FeatureFit, BringsBackACreaseThatTheMeshHasRoundedOff) {
   const FittedShape shape = dented_box();
-  const FeatureFit fit = fitted_to_features(shape.mesh, shape.complex, 1);
+  const FeatureFit fit = fitted_to_features(shape.mesh, shape.complex, {1, 1});
   ASSERT_EQ(fit.tries.front().way, HexFitWay::kAsMapped);
   EXPECT_GE(fit.tries.front().lacking, 3u) << "two corners and a crease";
   EXPECT_EQ(fit.tries[1].way, HexFitWay::kSnapped);
@@ -45,7 +45,7 @@ TEST(FeatureFit, BringsBackACreaseThatTheMeshHasRoundedOff) {
 
 TEST(FeatureFit, GivesQuadsTheNumbersOfTheModelsFaces) {
   const FittedShape shape = dented_box();
-  const HexMesh mesh = fitted_to_features(shape.mesh, shape.complex, 1).best.mesh;
+  const HexMesh mesh = fitted_to_features(shape.mesh, shape.complex, {1, 1}).best.mesh;
   std::map<std::int32_t, std::size_t> quads;
   for (const HexMesh::Face& face : mesh.boundary) ++quads[face.tag];
   EXPECT_EQ(quads.size(), 6u);
@@ -57,7 +57,7 @@ TEST(FeatureFit, GivesQuadsTheNumbersOfFacesThatASoftCurveWithoutPathDivides) {
   TriangleMesh halved = translate_mesh(make_box({5, 4, 3}), {2.5, 2, 1.5});
   for (std::int32_t t = 0; t < 12; ++t) halved.faces.push_back(t + 1);
   const FeatureFit fit =
-      fitted_to_features(shape.mesh, feature_complex(prepare_surface(std::move(halved))), 1);
+      fitted_to_features(shape.mesh, feature_complex(prepare_surface(std::move(halved))), {1, 1});
   EXPECT_NE(fit.best_try, 0u);
   std::map<std::int32_t, std::size_t> quads;
   for (const HexMesh::Face& face : fit.best.mesh.boundary) ++quads[face.tag];
@@ -69,7 +69,7 @@ TEST(FeatureFit, IsTheSameForAnyNumberOfThreads) {
   const FittedShape shape = dented_box();
   const auto made = [&](int threads) {
     const ThreadLimit limit(threads);
-    return fitted_to_features(shape.mesh, shape.complex, 1).best.mesh.vertices;
+    return fitted_to_features(shape.mesh, shape.complex, {1, 1}).best.mesh.vertices;
   };
   EXPECT_EQ(made(1), made(2));
 }
@@ -79,7 +79,7 @@ TEST(FeatureFit, LeavesTheMeshAsItIsWhereAStopComesBeforeItIsMeasured) {
   Monitor monitor;
   monitor.stop();
   const WatchedLoops watched(monitor, Stops::kHeeded);
-  const FeatureFit fit = fitted_to_features(shape.mesh, shape.complex, 1);
+  const FeatureFit fit = fitted_to_features(shape.mesh, shape.complex, {1, 1});
   EXPECT_TRUE(fit.is_stopped);
   EXPECT_TRUE(fit.tries.empty());
   EXPECT_EQ(fit.best.mesh.vertices, shape.mesh.vertices);

@@ -100,7 +100,7 @@ TEST(RandomFits, CallNoMeshValidThatIsInvertedAnywhere) {
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const RandomCase made = random_case(seed);
     const FeatureComplex features = feature_complex(prepare_surface(CheckedMesh::derived(weld(made.model))));
-    const FeatureFit fit = fitted_to_features(made.mesh, features, 1);
+    const FeatureFit fit = fitted_to_features(made.mesh, features, {1, 1});
     fitted += fit.best_try > 0;
     EXPECT_EQ(fit.best.invalid == 0, fit.tries[fit.best_try].inverted == 0) << seed;
     if (fit.best.invalid == 0) {

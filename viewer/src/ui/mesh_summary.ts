@@ -175,7 +175,7 @@ function fit_text(mesh: HexReport, unit: string): string {
   return [sizes && model ? `${sizes} of the ${kModels[model] ?? model}` : sizes, apart].filter(Boolean).join("; ");
 }
 
-const is_off = (distance: number, { used_size = 1 }: Pick<HexReport, "used_size">): boolean => distance > kLeastDistance * used_size;
+const is_off = (distance: number, { size = 1 }: Pick<HexReport, "size">): boolean => distance > kLeastDistance * size;
 
 interface Farthest {
   distance: number;
@@ -186,11 +186,11 @@ interface Farthest {
 
 /** The largest distances, the larger last: of the mesh from the model, and of the model from the mesh. */
 function distances_of(mesh: HexReport): Farthest[] {
-  const { used_size = 1, features } = mesh;
+  const { size = 1, features } = mesh;
   if (mesh.largest_distance === undefined) return [];
   // At vertices, or within quads and triangles.
   const farther = (at_vertices: number, place: Vector | undefined, within: HexDistances | undefined): { distance: number; place?: Vector } => {
-    const found = used_size * (within?.largest_in_all ?? 0) > at_vertices ? { distance: used_size * within!.largest_in_all, place: within!.place_in_all } : { distance: at_vertices, place };
+    const found = size * (within?.largest_in_all ?? 0) > at_vertices ? { distance: size * within!.largest_in_all, place: within!.place_in_all } : { distance: at_vertices, place };
     return is_off(found.distance, mesh) ? found : { ...found, distance: 0 };
   };
   const both: Farthest[] = [
