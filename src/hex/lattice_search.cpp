@@ -28,6 +28,7 @@
 #include "hex/lattice_faults.hpp"
 #include "lattice/holes.hpp"
 #include "lattice/lattice.hpp"
+#include "measure/feature_measure.hpp"
 #include "surface/findings.hpp"
 #include "surface/mending.hpp"
 #include "surface/searchable_surface.hpp"
@@ -40,12 +41,25 @@ namespace {
 /// The worst scaled Jacobian with which better shapes are not worth hexahedra beyond kMostOfLattice.
 constexpr double kFairShape = 0.1;
 
+/// How far the worst distance or volume is beyond its limit, in classes of a factor of two.
+int excess_of(const HexFeatures& features) {
+  double worst = 1;
+  for (const HexFeatures::Lack& lack : features.lacking) {
+    if (lack.kind == HexLackKind::kVolume)
+      worst = std::max(worst, std::abs(lack.figure - 1) / kMostVolumeOff);
+    if (lack.kind == HexLackKind::kOffModel || lack.kind == HexLackKind::kOffMesh)
+      worst = std::max(worst, lack.figure / kMostOff);
+  }
+  return std::ilogb(worst);
+}
+
 /// What makes one result worth less than another.
 auto flaws_of(const HexReport& report) {
   const std::size_t lacking = report.features ? report.features->lacking.size() : SIZE_MAX;
   const double least = report.quality.least;
-  return std::tuple(report.outcome, least < kPoorestShape, lacking, least < kFairShape, least < kGoodShape,
-                    std::bit_width(report.quality.below_tenth), report.hexahedra);
+  const int excess = report.features ? excess_of(*report.features) : 0;
+  return std::tuple(report.outcome, least < kPoorestShape, lacking, excess, least < kFairShape,
+                    least < kGoodShape, std::bit_width(report.quality.below_tenth), report.hexahedra);
 }
 
 bool is_good(const HexReport& report) {

@@ -27,6 +27,7 @@ struct Low {
     made.mesh.regions.clear();
     for (const HexSide& side : boundary_of(made.mesh)) made.mesh.boundary.push_back({side.vertices, 0});
     made.report.features.emplace();
+    made.report.size = 1;
   }
 };
 

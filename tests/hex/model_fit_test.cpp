@@ -48,7 +48,7 @@ TetSolid box_of(std::optional<GivenModel> given = {}) {
 HexReport fit_of(const HexMesh& mesh, const TetSolid& tets, FitTo fit_to = FitTo::kCommonSurface) {
   HexReport report;
   report.hexahedra = mesh.hexahedra.size();
-  report.used_size = 2;
+  report.size = report.used_size = 2;
   measure_fit(mesh, tets, fit_to, report);
   return report;
 }
@@ -122,7 +122,7 @@ TEST(ModelFit, OfAGivenModelIsToldBesideThatWithItsPlaces) {
 TEST(ModelFit, IsPoorWithMuchLessVolumeOrFarFromTheSurface) {
   HexReport report;
   report.hexahedra = 1;
-  report.used_size = 2;
+  report.size = report.used_size = 2;
   report.volume = 81, report.model_volume = 100;
   EXPECT_EQ(poor_fit(report)->text, "the hexahedra have 19 % less volume than the model");
   EXPECT_EQ(poor_fit(report)->kind, WarningKind::kPoorFit);

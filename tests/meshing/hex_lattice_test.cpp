@@ -60,11 +60,11 @@ TEST(LatticeHexahedra, AreForecastBeforeEachLatticeWithinAFactorOfTwo) {
   double forecast = 0;
   std::size_t fitted = 0, skipped = 0;
   HexMeshingOptions options;
-  options.hexahedra.size = 0.3;
+  options.hexahedra.size = 0.26;
   options.on_expected = [&](const HexExpectation& expected) {
     EXPECT_EQ(fitted + skipped, 0U);
     EXPECT_EQ(expected.tets, 0U);
-    EXPECT_EQ(expected.size, 0.3);
+    EXPECT_EQ(expected.size, 0.26);
     forecast = expected.hexahedra;
   };
   options.on_attempt_end = [&](const HexAttemptEnd& end) {
