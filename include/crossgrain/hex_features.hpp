@@ -26,16 +26,16 @@ enum class HexLackKind : int {
 /// Returns a name for files and scripts: "corner".
 const char* name_of(HexLackKind kind);
 
-/// What hexahedra keep of the features of a model. A feature is *resolved* unless it is shorter than two
-/// hexahedra or another one runs within one hexahedron of it; only resolved ones count. Soft features, such
-/// as the border of a fillet, do not.
+/// What hexahedra keep of the features of a model; sizes are those asked for (HexReport::size). A feature is
+/// *resolved* unless it is shorter than two sizes or another one runs within one size of it; only resolved
+/// ones count. Soft features, such as the border of a fillet, do not.
 struct HexFeatures {
   struct Lack {
     HexLackKind kind{};
     std::int32_t number = 0;  ///< of the face, or of the edge in its file; 0 without
     Vector3 place{0, 0, 0};
 
-    /// Corners, creases and distances: how far off, in sizes of hexahedra; -1 if nothing is near. Volumes:
+    /// Corners, creases and distances: how far off, in sizes; -1 if nothing is near. Volumes:
     /// the mesh's over the model's.
     double figure = 0;
     double share = 0;         ///< of a crease's length that is kept
@@ -47,7 +47,7 @@ struct HexFeatures {
     double all = 0, kept = 0;
   };
 
-  /// Between the surfaces of hexahedra and model, in sizes of hexahedra: beyond what straight edges cut off a
+  /// Between the surfaces of hexahedra and model, in sizes: beyond what straight edges cut off a
   /// curved surface (k e^2 / 8 for an edge of length e at curvature k), and in all.
   struct Distances {
     double percentile_99 = 0, largest = 0;
@@ -81,7 +81,7 @@ struct HexFeatures {
 enum class HexFitWay : int {
   kAsMapped,  ///< it is left as it was extracted and smoothed
   kSnapped,   ///< single vertices are moved onto corners, creases and faces
-  kFitted,    ///< all vertices are moved at once, then single ones
+  kFitted,    ///< all vertices are moved at once, then single ones, then those around poor hexahedra
   kLayered,   ///< the same, with layers of hexahedra where the model's angles need them
   kPadded     ///< the same, with one layer of hexahedra everywhere at the surface
 };

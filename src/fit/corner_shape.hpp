@@ -23,7 +23,7 @@ struct CornerShape {
     value = lengths > 0 ? dot(cofactors[2], edges[2]) / lengths : 0;
   }
 
-  /// The derivative of the value by an edge.
+  /// The derivative of the value by an edge, where all have a length.
   Vector3 by_edge(std::size_t n) const {
     return (1 / lengths) * cofactors[n] - (value / dot(edges[n], edges[n])) * edges[n];
   }

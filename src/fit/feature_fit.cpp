@@ -43,7 +43,7 @@ std::size_t lost_features(const FeatureMeasure& measure) {
 }
 
 /// Worst scaled Jacobian of single moves from which moving all vertices at once gains little.
-constexpr double kFairShape = 0.4;
+constexpr double kFineShape = 0.4;
 
 /// Of two meshes with as poor a worst hexahedron, the one with less than half as many of these is better.
 constexpr double kPoorShape = 0.1;
@@ -51,7 +51,7 @@ constexpr double kPoorShape = 0.1;
 /// Classes of worst shapes between which a difference counts: a tenth of a scaled Jacobian is worth no more
 /// hexahedra.
 int class_of(double least) {
-  return static_cast<int>(std::ranges::count_if(std::array{kPoorestShape, 0.05, 0.1, kGoodShape, kFairShape},
+  return static_cast<int>(std::ranges::count_if(std::array{kPoorestShape, 0.05, 0.1, kGoodShape, kFineShape},
                                                 [&](double bound) { return least >= bound; }));
 }
 
@@ -151,8 +151,7 @@ class FittingWays {
   bool is_good() const { return fit_.best.is_good(); }
 
   bool is_faithful() const { return fit_.best.invalid == 0 && fit_.best.measure.is_faithful(); }
-  bool is_fair() const { return is_good() && fit_.best.least >= kFairShape; }
-  bool is_as_given() const { return fit_.best_try == 0; }
+  bool is_fine() const { return is_good() && fit_.best.least >= kFineShape; }
 
   void embed() {
     for (const bool makes_room : {true, false}) {
@@ -170,6 +169,7 @@ class FittingWays {
 
   void fit() {
     keep_moved(HexFitWay::kFitted, embedded_, {});
+    // Without layers they are the mesh that was just moved.
     for (Layers& way : layers_) way.is_usable &= way.added > 0;
   }
 
@@ -206,6 +206,24 @@ class FittingWays {
     }
   }
 
+  /// Moves all vertices, with layers where angles need them: moving them without was the best on none of 48
+  /// parts then, but takes less memory.
+  void fit_all() {
+    std::optional<Error> limit;
+    try {
+      const bool needs_layers = !is_good() && add_layers_to_embedded();
+      if (!needs_layers && !is_fine()) fit();
+      if (!is_good()) fit_with_layers();
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::kLimit) throw;
+      limit = error;
+    }
+    if (!limit) return;
+    if (std::ranges::none_of(fit_.tries, [](const HexFitTry& one) { return one.way >= HexFitWay::kFitted; }))
+      fit();
+    throw Error(*limit);
+  }
+
   void stop() { fit_.is_stopped = true; }
   void limit(const Error& limit) { fit_.limit = limit; }
 
@@ -215,9 +233,10 @@ class FittingWays {
   }
 
  private:
-  /// An embedded mesh, moved onto its features. Returns whether it is valid and far off the model.
+  /// An embedded mesh, moved onto its features. Returns whether it is valid and far off the model, which
+  /// neither lifting nor other layers mend.
   bool keep_moved(HexFitWay way, const Embedded& embedded, const HexFittingOptions& options) {
-    constexpr double kFar = 0.5;
+    constexpr double kFar = 0.5;  // sizes, beyond what edges cut off
     HexMesh mesh = embedded.mesh;
     const HexCarriers carriers = carriers_in(embedded);
     fit_onto(mesh, embedded.features, carriers, sizes_.edge, options);
@@ -241,6 +260,7 @@ class FittingWays {
   void lift(const Embedded& embedded, const HexCarriers& carriers, FittedMesh& made) const {
     HexMesh lifted = made.mesh;
     if (lift_patches(lifted, embedded.features, carriers, sizes_.edge) == 0) return;
+    tag_boundary(lifted, embedded);
     FittedMesh other = measured(std::move(lifted), features_, sizes_.judged);
     if (is_better_fit(other, made)) made = std::move(other);
   }
@@ -276,9 +296,9 @@ class FittingWays {
   }
 
   struct Layers {
-    HexFitWay way;
-    AddedLayers (*add)(HexMesh&, const FeatureComplex&, Embedding&);
-    Embedded embedded;
+    HexFitWay way = HexFitWay::kLayered;
+    AddedLayers (*add)(HexMesh&, const FeatureComplex&, Embedding&) = nullptr;
+    Embedded embedded = {};
     std::size_t added = 0;
     bool is_usable = false;
   };
@@ -343,10 +363,7 @@ FeatureFit fitted_to_features(const HexMesh& mesh, const FeatureComplex& feature
       ways.embed();
       if (tried == FitWays::kAll) {
         ways.snap();
-        // Where angles need layers, moving vertices without them was the best on none of 47 maps.
-        const bool needs_layers = !ways.is_good() && ways.add_layers_to_embedded();
-        if (!needs_layers && !ways.is_fair()) ways.fit();
-        if (!ways.is_good()) ways.fit_with_layers();
+        ways.fit_all();
       } else {
         ways.add_layers_to_embedded();
         ways.fit_with_layers();

@@ -49,8 +49,9 @@ struct FitSizes {
 enum class FitWays { kAll, kLayersOnly };
 
 /// Returns the best of: the mesh as given; it with single vertices moved onto the features after these are
-/// embedded in its surface; with all vertices moved at once; and the same with layers where the model's
-/// angles need them, or with one everywhere (first the way of fewer hexahedra). A way is tried only if those
+/// embedded in its surface; with all vertices moved at once, unless the model's angles need layers; and the
+/// same with layers where they need them, or with one everywhere (first the way of fewer hexahedra). Poor
+/// hexahedra of each are lifted (lift_patches). A way is tried only if those
 /// before have lost something, or have shapes below kGoodShape; and none on a mesh that touches itself in an
 /// edge or a vertex. The best is valid; then it lacks the fewest features; then is near the surface; then its
 /// worst hexahedron is of the better class; then it has less than half as many poor ones; then fewer

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
@@ -132,18 +133,30 @@ void FittingTargets::set_windows(std::uint32_t curve, const std::vector<double>&
   }
 }
 
+/// The arc length of a vertex on a curve, after that of the vertex before; of one off it within its window.
+double FittingTargets::share_of(std::uint32_t vertex, std::uint32_t curve, const Vector3& place, double after,
+                                double end) const {
+  constexpr double kOnCurve = 1e-9;  // sizes
+  const double share = features_.nearest_on_curve(curve, place, after, end);
+  if (norm(features_.on_curve(curve, share).point - place) < kOnCurve * size_) return share;
+  const auto& [low, high] = windows_[vertex];
+  return features_.nearest_on_curve(curve, place, low, high);
+}
+
 void FittingTargets::slide_from(const HexMesh& mesh) {
   for (std::uint32_t c = 0; c < carriers_.path_of_curve.size(); ++c) {
     const std::vector<std::uint32_t>& path = carriers_.path_of_curve[c];
     if (path.size() < 2) continue;
+    const bool is_free = is_on_curve(path[0], c);  // of a closed curve, which begins anywhere
+    const double length = features_.length(c);
+    const double low = is_free ? windows_[path[0]].first - 0.5 * length : 0;
     std::vector<double> shares(path.size(), 0);
-    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      if (!is_on_curve(path[k], c)) continue;
-      const auto& [low, high] = windows_[path[k]];
-      shares[k] = features_.nearest_on_curve(c, mesh.vertices[path[k]], low, high);
-    }
-    shares.back() = is_on_curve(path.back(), c) ? shares[0] + features_.length(c) : features_.length(c);
-    set_windows(c, shares);
+    if (is_free) shares[0] = share_of(path[0], c, mesh.vertices[path[0]], low, low + length);
+    shares.back() = shares[0] + length;
+    for (std::size_t k = 1; k + 1 < path.size(); ++k)
+      if (is_on_curve(path[k], c))
+        shares[k] = share_of(path[k], c, mesh.vertices[path[k]], shares[k - 1], shares.back());
+    if (std::ranges::is_sorted(shares, std::ranges::less_equal())) set_windows(c, shares);
   }
 }
 

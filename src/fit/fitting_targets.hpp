@@ -33,8 +33,8 @@ class FittingTargets {
   /// moves as its neighbours do in the mean, from the places of the mesh on.
   void spread(const HexMesh& mesh);
 
-  /// Lets vertices on curves slide about where they are now. To be called after `spread`, of places on the
-  /// curves within what it allows.
+  /// Lets vertices on curves slide about where they are now, where those of a curve are in its order; those
+  /// off it about where they were. To be called after `spread`.
   void slide_from(const HexMesh& mesh);
 
   /// Where `spread` put the vertices that have a carrier.
@@ -51,6 +51,8 @@ class FittingTargets {
 
  private:
   void spread_curves(const HexMesh& mesh);
+  double share_of(std::uint32_t vertex, std::uint32_t curve, const Vector3& place, double after,
+                  double end) const;
   bool is_on_curve(std::uint32_t vertex, std::uint32_t curve) const;
   void set_windows(std::uint32_t curve, const std::vector<double>& shares);
   void spread_faces(const HexMesh& mesh);

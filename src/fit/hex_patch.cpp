@@ -23,8 +23,7 @@ void sort_once(std::vector<std::uint32_t>& numbers) {
 
 HexPatch patch_around(std::uint32_t hexahedron, int layers, const HexMesh& mesh,
                       const Lists<std::uint32_t>& uses) {
-  HexPatch patch;
-  patch.hexahedra = {hexahedron};
+  HexPatch patch{hexahedron, {hexahedron}, {}, {}};
   for (int layer = 0; layer < layers; ++layer) {
     std::vector<std::uint32_t> more;
     for (const std::uint32_t h : patch.hexahedra)

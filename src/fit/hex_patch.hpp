@@ -12,6 +12,7 @@ namespace crossgrain {
 
 /// Hexahedra around one, as a mesh of their own.
 struct HexPatch {
+  std::uint32_t middle;                            ///< the hexahedron that it is around, in the whole mesh
   std::vector<std::uint32_t> hexahedra, vertices;  ///< of the whole mesh, ascending
   HexMesh mesh;
   std::vector<std::uint8_t> is_free = {};  ///< of vertices: no hexahedron outside has them
@@ -23,6 +24,7 @@ struct HexPatch {
 HexPatch patch_around(std::uint32_t hexahedron, int layers, const HexMesh& mesh,
                       const Lists<std::uint32_t>& uses);
 
+/// At most 1.
 double worst_scaled_jacobian(const HexMesh& mesh);
 
 /// Returns log(sum of s^(-p) + (w / l)^p) / p over the scaled Jacobians s of all corners at some places of

@@ -161,13 +161,14 @@ class PatchLifting {
       : mesh_(mesh),
         targets_(targets),
         moves_(mesh, targets),
-        uses_(corner_uses(mesh.vertices.size(), mesh.hexahedra)) {}
+        uses_(corner_uses(mesh.vertices.size(), mesh.hexahedra)),
+        is_in_vain_(mesh.hexahedra.size(), 0) {}
 
   std::size_t run() {
     std::size_t lifted = 0;
     for (int round = 0; round < kRounds; ++round) {
-      moves_.snap(kFloor);
       targets_.slide_from(mesh_);
+      moves_.snap(kFloor);
       normals_ = targets_.normals_of(mesh_);
       const std::size_t now = lift(patches_around_worst());
       lifted += now;
@@ -185,7 +186,9 @@ class PatchLifting {
         patches.size(),
         [&](std::size_t k) { is_lifted[k] = PatchLift(patches[k], targets_, normals_).run(); }, 1);
     for (std::size_t k = 0; k < patches.size(); ++k) {
+      is_in_vain_[patches[k].middle] = !is_lifted[k];
       if (!is_lifted[k]) continue;
+      for (const std::uint32_t h : patches[k].hexahedra) is_in_vain_[h] = 0;
       for (std::size_t v = 0; v < patches[k].vertices.size(); ++v)
         if (patches[k].is_free[v]) mesh_.vertices[patches[k].vertices[v]] = patches[k].mesh.vertices[v];
     }
@@ -197,7 +200,7 @@ class PatchLifting {
     const std::vector<double> shapes = scaled_jacobians(mesh_);
     std::vector<std::uint32_t> poor;
     for (std::uint32_t h = 0; h < shapes.size(); ++h)
-      if (shapes[h] < kGoodShape) poor.push_back(h);
+      if (shapes[h] < kGoodShape && !is_in_vain_[h]) poor.push_back(h);
     std::ranges::stable_sort(poor, {}, [&](std::uint32_t h) { return shapes[h]; });
     std::vector<std::uint8_t> is_taken(shapes.size(), 0);
     std::vector<HexPatch> patches;
@@ -230,6 +233,7 @@ class PatchLifting {
   VertexMoves moves_;
   Lists<std::uint32_t> uses_;
   std::vector<Vector3> normals_;
+  std::vector<std::uint8_t> is_in_vain_;  ///< of hexahedra: the patch around it has not risen as it is now
 };
 
 }  // namespace

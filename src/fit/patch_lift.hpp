@@ -13,11 +13,11 @@ namespace crossgrain {
 /// Returns how many patches of valid hexahedra were moved so that the worst in them rise: those around
 /// hexahedra with a scaled Jacobian below kGoodShape, the worst first. `size` is the edge of hexahedra.
 ///
-/// A patch are all hexahedra within two layers of a poor one. The vertices that no others share move at once
-/// to less of the sum of s^(-p) over all scaled Jacobians s of corners, with powers p that rise, so that at
-/// last the worst count alone. It has no term for sizes or places, unlike the energy that takes vertices to
-/// their carriers. Vertices on a carrier slide along it, others on the surface stay. Between rounds vertices
-/// that are off their carrier are put onto it where there is room now.
+/// A patch is all hexahedra within two layers of a poor one. The vertices that no others share move at once
+/// to less `poorness`, with powers that rise, so that at last the worst count alone. Unlike the energy that
+/// takes vertices to their carriers, it has no term for volumes and places. Vertices on a carrier slide along
+/// it; those that are off theirs move too, without going farther from it. Between rounds they are put onto it
+/// where there is room now.
 ///
 /// What lies between vertices may come to be further off the model: the caller judges that. The same to the
 /// bit for any number of threads; interrupted as watched loops are, with a valid mesh.

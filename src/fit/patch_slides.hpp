@@ -17,8 +17,9 @@ namespace crossgrain {
 /// face, three inside. Surfaces are taken as flat.
 class PatchSlides {
  public:
-  /// `normals`: FittingTargets::normals_of the whole mesh. Vertices off their carrier have all directions; a
-  /// vertex has those along its carrier if it is blocked once more than that, and none if twice.
+  /// `normals`: FittingTargets::normals_of the whole mesh. `blocked` takes freedom from vertices: from all
+  /// directions, with which those off their carrier begin, to those along it, with which others begin, to
+  /// none.
   PatchSlides(const HexPatch& patch, const FittingTargets& targets, std::span<const Vector3> normals,
               std::span<const std::uint8_t> blocked);
 

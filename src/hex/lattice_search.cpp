@@ -38,7 +38,8 @@
 namespace crossgrain {
 namespace {
 
-/// The worst scaled Jacobian with which better shapes are not worth hexahedra beyond kMostOfLattice.
+/// A worst scaled Jacobian that counts as better, and from which others are not worth hexahedra beyond
+/// kMostOfLattice.
 constexpr double kFairShape = 0.1;
 
 /// How far the worst distance or volume is beyond its limit, in classes of a factor of two.

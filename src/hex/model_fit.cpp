@@ -339,7 +339,7 @@ std::optional<Warning> poor_fit(const HexReport& report) {
     faults.push_back(std::move(fault));
   }
   if (distance > kPoorDistance * report.size && report.outcome != HexOutcome::kApproximate)
-    faults.push_back(fmt::format("{} by up to {:.2g}, at {}, which is {:.2g} of their size",
+    faults.push_back(fmt::format("{} by up to {:.2g}, at {}, which is {:.2g} of the size",
                                  is_off ? "are off the model's surface" : "miss parts of the model's surface",
                                  distance, words_of_place(at, std::cbrt(report.model_volume)),
                                  distance / report.size));

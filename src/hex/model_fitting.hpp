@@ -34,9 +34,9 @@ void check_same_place(const HexMesh& mesh, const FittingModel& model);
 /// Returns the median of the edges of hexahedra.
 double median_edge(const HexMesh& mesh);
 
-/// Puts hexahedra, which pass these checks, onto a model. The mesh gets boundary and tags.
-/// The report has everything but attempts; `warnings` get what to know besides. Throws Error(kInterrupted)
-/// for a stop before anything was tried.
+/// Puts hexahedra of about `sizes.edge`, which pass these checks, onto a model. The mesh gets boundary and
+/// tags. The report has everything but attempts; `warnings` get what to know besides. Throws
+/// Error(kInterrupted) for a stop before anything was tried.
 HexReport fit_to_model(const FittingModel& model, const FitSizes& sizes, FitWays ways, const Monitor& monitor,
                        HexMesh& mesh, std::vector<Warning>& warnings);
 

@@ -115,7 +115,7 @@ void judge_solids(const HexMesh& mesh, const CentreTets& centres, const TetDomai
         WarningKind::kCrossedInterfaces,
         fmt::format(
             "hexahedra do not keep to the faces between solids: {} of {} between them are off, by up to "
-            "{:.2g} ({:.2g} of their size) at {}",
+            "{:.2g} ({:.2g} of the size) at {}",
             interfaces.off, counted(interfaces.faces, "face"), interfaces.largest_distance,
             interfaces.largest_distance / report.size, words_of_place(interfaces.place)));
   }
@@ -138,7 +138,7 @@ void judge_interfaces(const SolveReport& whole, HexReport& report) {
   if (!fills || (whole.onto && whole.onto->united) || !(off > kMostOffInAll)) return;
   report.outcome = HexOutcome::kApproximate;
   report.reason += fmt::format(
-      "{}the faces between its solids are steps of hexahedra, up to {:.2g} off, {:.2g} of their size",
+      "{}the faces between its solids are steps of hexahedra, up to {:.2g} off, {:.2g} of the size",
       report.reason.empty() ? "" : "; ", report.largest_interface_distance, off);
 }
 

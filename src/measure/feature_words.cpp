@@ -41,7 +41,7 @@ std::string words_of_distance(const Lack& lack, double size) {
   if (lack.kind == HexLackKind::kVolume)
     return fmt::format("its volume is {:.2g} % {} the model's", 100 * std::abs(lack.figure - 1),
                        lack.figure < 1 ? "below" : "above");
-  return fmt::format("{} up to {:.2g} {} around {}, {:.2g} of the size of hexahedra",
+  return fmt::format("{} up to {:.2g} {} around {}, {:.2g} of the size",
                      lack.kind == HexLackKind::kOffModel ? "the mesh is" : "the surface is",
                      size * lack.figure, lack.kind == HexLackKind::kOffModel ? "off the surface" : "from it",
                      words_of_place(lack.place), lack.figure);

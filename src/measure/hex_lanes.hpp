@@ -17,8 +17,8 @@ namespace crossgrain {
 template <int W>
 using CornerLanes = std::array<BasicVector3<Lanes<W>>, 8>;
 
-/// Returns the corners of `count` hexahedra from `first` on, each in a lane; lanes beyond hold the last one
-/// too.
+/// Returns the corners of `count` > 0 hexahedra from `first` on, each in a lane; lanes beyond hold the last
+/// one too.
 template <int W>
 CornerLanes<W> corner_lanes(const std::vector<Vector3>& places,
                             std::span<const std::array<std::uint32_t, 8>> hexahedra, std::size_t first,

@@ -42,7 +42,7 @@ HexCorners corners_of(const HexMesh& mesh, std::size_t hexahedron);
 /// Returns 1 for each hexahedron that is not valid, otherwise 0.
 std::vector<std::uint8_t> inverted_hexahedra(const HexMesh& mesh);
 
-/// Whether all hexahedra that have a 1 in `which` are valid.
+/// Whether all hexahedra that have a 1 in `which` (one entry for each) are valid.
 bool are_valid(const std::vector<Vector3>& places, std::span<const std::array<std::uint32_t, 8>> hexahedra,
                std::span<const std::uint8_t> which);
 

@@ -43,6 +43,15 @@ TEST(FeatureFit, BringsBackACreaseThatTheMeshHasRoundedOff) {
   EXPECT_EQ(fit.best.measure.curves.kept, 12);
 }
 
+TEST(FeatureFit, IsJudgedInTheSizeAskedForWhateverTheEdge) {
+  const FittedShape shape = dented_box();
+  // A crease 0.5 off is lost in cubes of 1, and within the limits of hexahedra of 10.
+  EXPECT_GE(fitted_to_features(shape.mesh, shape.complex, {1, 1}).tries.front().lacking, 3u);
+  const FeatureFit large = fitted_to_features(shape.mesh, shape.complex, {1, 10});
+  EXPECT_EQ(large.tries.front().lacking, 0u);
+  EXPECT_EQ(large.best.measure.size, 10);
+}
+
 TEST(FeatureFit, GivesQuadsTheNumbersOfTheModelsFaces) {
   const FittedShape shape = dented_box();
   const HexMesh mesh = fitted_to_features(shape.mesh, shape.complex, {1, 1}).best.mesh;

@@ -44,6 +44,12 @@ TEST(PlacesToRefine, AreThoseFarFromTheSurfaceWithItsNormal) {
   EXPECT_TRUE(places_to_refine(near.made.mesh, near.made.report, near.model, 1, {}).empty()) << "near enough";
 }
 
+TEST(PlacesToRefine, AreFarInSizesAskedFor) {
+  Low low(4.5);
+  low.made.report.size = 2;
+  EXPECT_TRUE(places_to_refine(low.made.mesh, low.made.report, low.model, 1, {}).empty());
+}
+
 TEST(PlacesToRefine, AreFinerThanWhereItWasTriedBefore) {
   const Low low(4.5);
   const std::vector<FinePlace> before = {{{2, 2, 4}, 0.5, {0, 0, 1}}};

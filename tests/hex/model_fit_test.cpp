@@ -140,10 +140,10 @@ TEST(ModelFit, IsPoorWithMuchLessVolumeOrFarFromTheSurface) {
   report.largest_distance_of_model_place = {4, 0, 2};
   EXPECT_EQ(
       poor_fit(report)->text,
-      "the hexahedra miss parts of the model's surface by up to 1.5, at 4 0 2, which is 0.75 of their size");
+      "the hexahedra miss parts of the model's surface by up to 1.5, at 4 0 2, which is 0.75 of the size");
   report.largest_distance = 1.6;
   EXPECT_EQ(poor_fit(report)->text,
-            "the hexahedra are off the model's surface by up to 1.6, at 0 0 0, which is 0.8 of their size");
+            "the hexahedra are off the model's surface by up to 1.6, at 0 0 0, which is 0.8 of the size");
 }
 
 TEST(ModelFit, OfAWholeMeshWithMuchLessVolumeIsToldWithASizeThatBringsItNearer) {

@@ -92,9 +92,8 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
   judge_solids(made.mesh, {all, domain.data().solid}, domain, {}, report, whole);
   const std::vector<Warning>& warnings = whole.warnings;
   ASSERT_TRUE(warns_of_interfaces(warnings));
-  EXPECT_NE(
-      warnings.back().text.find("4 of 4 faces between them are off, by up to 0.37 (0.37 of their size)"),
-      std::string::npos)
+  EXPECT_NE(warnings.back().text.find("4 of 4 faces between them are off, by up to 0.37 (0.37 of the size)"),
+            std::string::npos)
       << warnings.back().text;
   EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
   judge_interfaces(made.field.report(), report);
@@ -102,7 +101,7 @@ TEST(SolidJudgement, WarnsByHowMuchHexahedraLeaveTheFacesBetweenSolids) {
   judge_interfaces(whole, report);
   EXPECT_EQ(report.outcome, HexOutcome::kApproximate);
   EXPECT_EQ(report.reason,
-            "the faces between its solids are steps of hexahedra, up to 0.37 off, 0.37 of their size");
+            "the faces between its solids are steps of hexahedra, up to 0.37 off, 0.37 of the size");
 }
 
 TEST(SolidJudgement, NamesBodiesWithoutHexahedraWhereTetsHaveNoRegions) {

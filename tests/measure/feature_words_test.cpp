@@ -24,9 +24,9 @@ TEST(FeatureWords, TellDistancesInUnitsAndInHexahedraAndVolumesInPercent) {
   features.lacking.push_back({HexLackKind::kOffMesh, 0, {2, 0, 0}, 0.5});
   features.lacking.push_back({HexLackKind::kVolume, 0, {}, 0.78});
   EXPECT_EQ(lacks_of(features, 2),
-            "the mesh is up to 0.92 off the surface around 1 0 0, 0.46 of the size of hexahedra; the surface "
+            "the mesh is up to 0.92 off the surface around 1 0 0, 0.46 of the size; the surface "
             "is up to 1 "
-            "from it around 2 0 0, 0.5 of the size of hexahedra; its volume is 22 % below the model's");
+            "from it around 2 0 0, 0.5 of the size; its volume is 22 % below the model's");
 }
 
 TEST(FeatureWords, TellWhatIsKeptAndWhatIsTooSmall) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -169,6 +170,34 @@ TEST_F(HexValidity, OfAMeshMarksTheInvertedOnes) {
     mesh.hexahedra.push_back(hexahedron);
   }
   EXPECT_EQ(inverted_hexahedra(mesh), (std::vector<std::uint8_t>{0, 1, 0}));
+}
+
+TEST_F(HexValidity, OfAMeshIsThatOfEachHexahedronForAnyNumberOfThem) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> move(-0.6, 0.6);
+  HexMesh mesh;
+  std::vector<std::uint8_t> expected;
+  for (int count = 1; count < 40; ++count) {
+    HexCorners corners = kCube;
+    if (count % 3 != 0)
+      for (Vector3& corner : corners)
+        for (double& coordinate : corner) coordinate += move(generator);
+    if (count == 13) corners[2][0] = std::numeric_limits<double>::quiet_NaN();
+    if (count == 17) corners.fill({1, 2, 3});
+    auto& hexahedron = mesh.hexahedra.emplace_back();
+    for (std::size_t k = 0; k < 8; ++k) {
+      hexahedron[k] = static_cast<std::uint32_t>(mesh.vertices.size());
+      mesh.vertices.push_back(corners[k]);
+    }
+    expected.push_back(!is_valid(corners));
+    ASSERT_EQ(inverted_hexahedra(mesh), expected) << count;
+    std::vector<std::uint8_t> which(expected.size());
+    for (std::size_t h = 0; h < which.size(); ++h) which[h] = !expected[h];
+    EXPECT_TRUE(are_valid(mesh.vertices, mesh.hexahedra, which)) << count;
+    which.back() = 1;
+    EXPECT_EQ(are_valid(mesh.vertices, mesh.hexahedra, which), !expected.back()) << count;
+  }
+  EXPECT_GT(std::ranges::count(expected, 1), 5);
 }
 
 }  // namespace

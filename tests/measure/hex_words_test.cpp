@@ -99,7 +99,7 @@ TEST(SentenceOfHexahedra, AdvisesNoSmallerHexahedraWhereFacesBetweenSolidsAreSte
   report.attempts.resize(1);
   report.reason = "it lacks something";
   EXPECT_NE(sentence_of(report).find("smaller hexahedra may help"), std::string::npos);
-  report.reason = "the faces between its solids are steps of hexahedra, up to 1 off, 0.5 of their size";
+  report.reason = "the faces between its solids are steps of hexahedra, up to 1 off, 0.5 of the size";
   EXPECT_EQ(sentence_of(report).find("smaller"), std::string::npos) << "steps are as large as hexahedra";
 }
 

@@ -69,7 +69,7 @@ test("a part of the model says how many cells it lacks, and where", () => {
 
 test("the worst fit is where the largest distance is known to be, at vertices or within faces", () => {
   const places = (features) => mesh_places({
-    hexahedra: { outcome: "all-hex", hexahedra: 8, used_size: 2, largest_distance: 0.1, largest_distance_place: [1, 0, 0], largest_distance_of_model: 0, features },
+    hexahedra: { outcome: "all-hex", hexahedra: 8, size: 2, used_size: 2, largest_distance: 0.1, largest_distance_place: [1, 0, 0], largest_distance_of_model: 0, features },
   }, null, [0, 0, 0]).map(({ label, detail, point }) => [label, detail, point]);
   assert.deepEqual(places(undefined), [["Worst fit", "mesh up to 0.1 off the surface", [1, 0, 0]]]);
   const features = { corners: { all: 0, kept: 0 }, creases: { all: 0, kept: 0 }, faces: { all: 0, kept: 0 }, of_mesh: { largest_in_all: 0.01, place_in_all: [9, 9, 9] }, of_model: { largest_in_all: 0.5, place_in_all: [0, 3, 0] } };

@@ -81,7 +81,7 @@ interface Kept {
   kept: number;
 }
 
-/** Of surfaces, in sizes of hexahedra, and where that is. */
+/** Of surfaces, in sizes asked for, and where that is. */
 export interface HexDistances {
   largest_in_all: number;
   place_in_all?: Vector;

@@ -207,7 +207,7 @@ function worst_fit({ hexahedra, model }: Report, origin: Vector): Place[] {
   return [{ label: "Worst fit", detail: farthest.words(`${measured(farthest.distance, 2)}${model?.unit ? ` ${model.unit}` : ""}`), point: subtract(farthest.place, origin), warn: false, of_mesh: true }];
 }
 
-// Below this a share is rounding: of volume and area in percent, of a distance in sizes of hexahedra.
+// Below this a share is rounding: of volume and area in percent, of a distance in sizes asked for.
 const kLeastPercent = 0.001;
 const kLeastDistance = 1e-6;
 
