@@ -206,8 +206,8 @@ class FittingWays {
     }
   }
 
-  /// Moves all vertices, with layers where angles need them: moving them without was the best on none of 48
-  /// parts then, but takes less memory.
+  /// Moves all vertices, with layers where angles need them: of five maps with which both were tried, moving
+  /// them without was the best of none. It takes less memory, though.
   void fit_all() {
     std::optional<Error> limit;
     try {
