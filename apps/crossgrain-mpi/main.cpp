@@ -189,8 +189,8 @@ int run(Processes& processes, int argc, char** argv) {
 
 int main(int argc, char** argv) {
 #ifdef M_MMAP_THRESHOLD
-  mallopt(M_MMAP_THRESHOLD, 4 << 20);  // as in crossgrain
-  mallopt(M_TRIM_THRESHOLD, 8 << 20);
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);  // as in crossgrain
+  mallopt(M_TRIM_THRESHOLD, 2 << 20);
 #endif
   std::signal(SIGXFSZ, SIG_IGN);
   crossgrain::Processes processes(argc, argv);

@@ -51,7 +51,7 @@ HEXAHEDRA_SIZE = "700x525"
 
 HEXAHEDRA_HEAD = """## Hexahedra before and after they keep the part
 
-`crossgrain hex MODEL --cells 20` and `crossgrain render --hexahedra`; colours are scaled Jacobians. First what the map alone gives, by a program that ends
+`crossgrain hex MODEL --cells 20`, drawn by `crossgrain render`; colours are scaled Jacobians. First what the map alone gives, by a program that ends
 before vertices are moved onto features; then the result.
 
 """
