@@ -24,21 +24,24 @@
 namespace crossgrain {
 namespace {
 
-/// Layers of a patch, powers of its poorness, and steps with each.
+/// Layers of a patch, powers of its poorness, and steps with each. With 1, 2 and 3 layers the worst of i18c
+/// is 0.02, 0.03 and 0.06, of i22c 0.13, 0.14 and 0.18, of i25c 0.20, 0.30 and 0.22, of bracket 0.10, 0.11,
+/// 0.10.
 constexpr int kPatchLayers = 2;
 constexpr std::array kPowers{2, 4, 8, 16};
 constexpr int kSteps = 10;
 
-/// In sizes wanted: edges that do not become shorter.
+/// In sizes wanted: edges that do not become shorter. With 0.1 the same five parts have a worst within 0.03.
 constexpr double kShortestInPatch = 0.2;
 
 /// Gain of the worst scaled Jacobian for which a patch is taken.
 constexpr double kLeastGain = 1e-3;
 
-/// Of a vertex's way: what its carrier may take of it.
+/// Of a vertex's way: what its carrier may take of it. With 0.6 the same within 0.02.
 constexpr double kBlocked = 0.3;
 
-/// The least scaled Jacobian for which a vertex goes onto its carrier.
+/// The least scaled Jacobian for which a vertex goes onto its carrier. With that of fit_onto, 0.02, i25c has
+/// 0.22 for 0.30, and bracket 9270 hexahedra for 3961.
 constexpr double kFloor = 0.1;
 
 /// Rounds, and patches in each: the worst.

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <random>
 
+#include "base/parallel.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/monitor.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "fit/fitted_shapes.hpp"
 #include "fit/fitting_targets.hpp"
@@ -98,6 +101,18 @@ TEST(PatchLift, LeavesGoodHexahedraAsTheyAre) {
   const std::vector<Vector3> before = shape.mesh.vertices;
   EXPECT_EQ(lift_patches(shape.mesh, shape.complex, shape.carriers, 1), 0u);
   EXPECT_EQ(shape.mesh.vertices, before);
+}
+
+TEST(PatchLift, EndsWithAValidMeshWhereItIsInterrupted) {
+  FittedShape shape = lattice_in_box({7, 7, 7});
+  disturb(shape, 2, 4, true);
+  Monitor monitor;
+  monitor.cancel();
+  {
+    const WatchedLoops watched(monitor, Stops::kHeeded);
+    EXPECT_THROW(lift_patches(shape.mesh, shape.complex, shape.carriers, 1), Error);
+  }
+  EXPECT_TRUE(are_all_valid(shape.mesh));
 }
 
 TEST(PatchLift, HasTheSameBitsForAnyNumberOfThreads) {
