@@ -72,4 +72,11 @@ FittedHexahedra lattice_mesh(const SolveArguments& arguments, const HexMeshingOp
       [&] { return lattice_hexahedra(std::filesystem::path(arguments.model), options, monitor); }, monitor);
 }
 
+FittedHexahedra lattice_mesh_without_tets(const Error& error, const SolveArguments& arguments,
+                                          const HexMeshingOptions& options, const Monitor& monitor) {
+  return unless_interrupted(
+      [&] { return lattice_without_tets(error, std::filesystem::path(arguments.model), options, monitor); },
+      monitor);
+}
+
 }  // namespace crossgrain::app

@@ -16,6 +16,10 @@ HexMeshingOptions hex_options(const SolveArguments& arguments);
 FittedHexahedra fitted_mesh(const SolveArguments& arguments, const std::function<void(const Warning&)>& warn,
                             const Monitor& monitor);
 
+/// lattice_without_tets of the model.
+FittedHexahedra lattice_mesh_without_tets(const Error& error, const SolveArguments& arguments,
+                                          const HexMeshingOptions& options, const Monitor& monitor);
+
 /// Makes hexahedra of a lattice.
 FittedHexahedra lattice_mesh(const SolveArguments& arguments, const HexMeshingOptions& options,
                              const Monitor& monitor);

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "crossgrain/error.hpp"
@@ -76,17 +77,9 @@ HexMeshingOptions heard_options(const Job& job) {
   return options;
 }
 
-}  // namespace
-
-std::shared_ptr<const Hexahedra> made_hexahedra(const Job& job) {
-  return or_best_so_far(job, heard_options(job));
-}
-
-SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
-  job.monitor.report({Phase::kRead, 0, 0, 0, 0});
-  FittedHexahedra fitted = job.arguments.lattice
-                               ? lattice_mesh(job.arguments, heard_options(job), job.monitor)
-                               : fitted_mesh(job.arguments, job.warn, job.monitor);
+/// Writes hexahedra without a field.
+SolveReport write_alone(const Job& job, const std::shared_ptr<FolderReservation>& reservation,
+                        FittedHexahedra fitted) {
   if (fitted.hexahedra().is_stopped) {
     job.leave_line();
     announce_stop(best_text(fitted.hexahedra()));
@@ -95,8 +88,33 @@ SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservatio
   job.monitor.report({Phase::kWrite, 0, 0, 0, 0});
   fitted.report.seconds.total = seconds_since(job.start);
   OutputOptions options = output_options_for(job, reservation);
+  options.formats.clear();  // these are for fields on tets
   if (job.arguments.page) options.companion = page_of(fitted);
   return write_fitted(fitted, job.arguments.output, job.monitor, options);
+}
+
+}  // namespace
+
+std::shared_ptr<const Hexahedra> made_hexahedra(const Job& job) {
+  return or_best_so_far(job, heard_options(job));
+}
+
+SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
+  job.monitor.report({Phase::kRead, 0, 0, 0, 0});
+  return write_alone(job, reservation,
+                     job.arguments.lattice ? lattice_mesh(job.arguments, heard_options(job), job.monitor)
+                                           : fitted_mesh(job.arguments, job.warn, job.monitor));
+}
+
+SolveReport lattice_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation,
+                              const Error& error) {
+  FittedHexahedra made = lattice_mesh_without_tets(error, job.arguments, heard_options(job), job.monitor);
+  if (!job.arguments.output_options.formats.empty()) {
+    job.leave_line();
+    print_message(
+        "warning: no file of a field or a map is written, since there are only hexahedra of a lattice");
+  }
+  return write_alone(job, reservation, std::move(made));
 }
 
 void leave_out_maps(const Job& job, OutputOptions& options) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/report.hpp"
 #include "job.hpp"
@@ -19,5 +20,10 @@ void leave_out_maps(const Job& job, OutputOptions& options);
 
 /// Puts hexahedra that are given, or those of a lattice, onto the model and writes them.
 SolveReport fit_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation);
+
+/// Makes a lattice and writes it, where the way along a field ended with an error about tets
+/// (lattice_without_tets).
+SolveReport lattice_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation,
+                              const Error& error);
 
 }  // namespace crossgrain::app

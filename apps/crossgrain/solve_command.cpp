@@ -311,6 +311,16 @@ SolveReport solve_and_write(const Job& job, const std::shared_ptr<FolderReservat
   return write_field(field, report, arguments.output, monitor, output_options);
 }
 
+/// As solve_and_write; `hex` makes a lattice where no tets can be made.
+SolveReport solve_or_fill(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
+  try {
+    return solve_and_write(job, reservation);
+  } catch (const Error& error) {
+    if (!job.arguments.hexahedra) throw;
+    return lattice_and_write(job, reservation, error);
+  }
+}
+
 }  // namespace
 
 void help_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
@@ -370,7 +380,7 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
     const SolveOnGrid on_grid = together ? together : solve_alone;
     const Job job{arguments, on_grid, monitor, warn, tell, &lines, start};
     const bool is_of_field = arguments.mesh.empty() && !arguments.lattice;
-    report = is_of_field ? solve_and_write(job, reservation) : fit_and_write(job, reservation);
+    report = is_of_field ? solve_or_fill(job, reservation) : fit_and_write(job, reservation);
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)

@@ -179,7 +179,7 @@ std::string time_row(const SolveReport& report) {
 
 std::string files_row(const SolveReport& report, const SolveArguments& arguments) {
   std::vector<std::string> names;
-  const bool is_of_field = arguments.mesh.empty() && !arguments.lattice;
+  const bool is_of_field = report.resolution > 0;
   if (is_of_field) {
     names = result_files(arguments.output_options, report);
   } else {

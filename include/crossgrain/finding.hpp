@@ -29,6 +29,7 @@ enum class FindingKind : int {
 enum class FindingOutcome : int {
   kJoined,         ///< open edges that run along each other count as joined
   kHoleBridged,    ///< the winding number closes the surface, not necessarily as intended
+  kFilled,         ///< triangles close the surface, not necessarily as intended
   kBridged,        ///< the winding number closes the surface
   kUnchanged,      ///< nothing
   kLeftOut,        ///< they are not part of the surface that is solved
@@ -36,6 +37,7 @@ enum class FindingOutcome : int {
   kReoriented,     ///< they are reoriented
   kLeftOutIfOpen,  ///< they are left out where they bound nothing
   kAllInside,      ///< nothing; all that they enclose is inside
+  kMerged,         ///< parts are made one: their surfaces inside each other are left out
   kUnited          ///< the parts are one solid; their surfaces inside it constrain frames
 };
 

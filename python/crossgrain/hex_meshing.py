@@ -48,7 +48,8 @@ def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builti
 
     The model is a file (STEP, IGES, BREP, FCStd; STL, OBJ, PLY, OFF, 3MF; tets in Medit, Gmsh, VTK), two
     arrays (points (n, 3), and triangles (m, 3) or tets (m, 4)), a mesh of meshio or trimesh, a `Surface` or a
-    `TetMesh`. Surfaces must be closed; tets are made by gmsh or Netgen.
+    `TetMesh`. Holes of surfaces are filled, and parts that overlap united; tets are made by gmsh or
+    Netgen, and a lattice where they make none.
 
     size:
         edge of the hexahedra, in model units

@@ -34,13 +34,26 @@ const SolveReport& crossgrain_hexahedra::report() const {
   return std::get<Hexahedra>(made).field.report();
 }
 
+namespace {
+
+/// Hexahedra of a model, or of a lattice where no tets can be made of it.
+template <class Model>
+crossgrain_hexahedra* made_in(const Model& model, const HexMeshingOptions& options, const Monitor& monitor) {
+  try {
+    return new crossgrain_hexahedra(make_hexahedra(model, options, monitor));
+  } catch (const Error& error) {
+    return new crossgrain_hexahedra(lattice_without_tets(error, model, options, monitor));
+  }
+}
+
+}  // namespace
+
 crossgrain_status crossgrain_hexahedra_make(const char* path, const crossgrain_options* options,
                                             crossgrain_monitor* monitor, crossgrain_hexahedra** out,
                                             crossgrain_error** error) {
   return made(out, error, [&] {
-    return new crossgrain_hexahedra(make_hexahedra(std::filesystem::path(&given(path, "path")),
-                                                   options_or_defaults<HexMeshingOptions>(options),
-                                                   monitor_of(monitor)));
+    return made_in(std::filesystem::path(&given(path, "path")),
+                   options_or_defaults<HexMeshingOptions>(options), monitor_of(monitor));
   });
 }
 
@@ -49,9 +62,8 @@ crossgrain_status crossgrain_hexahedra_make_inside(const crossgrain_mesh* surfac
                                                    crossgrain_monitor* monitor, crossgrain_hexahedra** out,
                                                    crossgrain_error** error) {
   return made(out, error, [&] {
-    return new crossgrain_hexahedra(make_hexahedra(given(surface, "surface").mesh,
-                                                   options_or_defaults<HexMeshingOptions>(options),
-                                                   monitor_of(monitor)));
+    return made_in(given(surface, "surface").mesh, options_or_defaults<HexMeshingOptions>(options),
+                   monitor_of(monitor));
   });
 }
 

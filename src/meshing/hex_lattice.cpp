@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -108,6 +110,35 @@ FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& optio
   return made;
 }
 
+/// Whether an error says that no tets can be made of a model.
+bool is_of_tets(const Error& error) {
+  constexpr std::array kRemedies{Remedy::kUniteParts, Remedy::kCloseHoles, Remedy::kInstallTetMaker,
+                                 Remedy::kAllowTetTime, Remedy::kChangeTetSize};
+  return error.kind() == ErrorKind::kInput &&
+         std::ranges::find(kRemedies, error.message().remedy) != kRemedies.end();
+}
+
+template <class Model>
+FittedHexahedra made_without_tets(const Error& error, const Model& model, const HexMeshingOptions& options,
+                                  const Monitor& monitor) {
+  if (!is_of_tets(error) || options.hexahedra.preference == HexPreference::kMapOnly) throw Error(error);
+  const Warning warning(
+      WarningKind::kTetMaker,
+      fmt::format("a lattice is made, without a field and a map: no tets can be made of it, "
+                  "since {}",
+                  error.text()),
+      error.message().remedy);
+  if (options.on_warning) options.on_warning(warning);
+  try {
+    FittedHexahedra made = lattice_hexahedra(model, options, monitor);
+    made.report.warnings.insert(made.report.warnings.begin(), warning);
+    return made;
+  } catch (const Error& other) {
+    if (other.kind() != ErrorKind::kInput) throw;
+    throw Error(error);
+  }
+}
+
 }  // namespace
 
 FittedHexahedra lattice_hexahedra(const std::filesystem::path& model, const HexMeshingOptions& options,
@@ -125,6 +156,16 @@ FittedHexahedra lattice_hexahedra(const std::filesystem::path& model, const HexM
 FittedHexahedra lattice_hexahedra(const TriangleMesh& surface, const HexMeshingOptions& options,
                                   const Monitor& monitor) {
   return made_by_lattice([&] { return model_of(surface, reading_of(options)); }, options, monitor);
+}
+
+FittedHexahedra lattice_without_tets(const Error& error, const std::filesystem::path& model,
+                                     const HexMeshingOptions& options, const Monitor& monitor) {
+  return made_without_tets(error, model, options, monitor);
+}
+
+FittedHexahedra lattice_without_tets(const Error& error, const TriangleMesh& surface,
+                                     const HexMeshingOptions& options, const Monitor& monitor) {
+  return made_without_tets(error, surface, options, monitor);
 }
 
 }  // namespace crossgrain

@@ -93,7 +93,8 @@ ReadModel tet_model(TetMesh mesh, const HexFitOptions& options, const Monitor& m
 ReadModel read_file(const std::filesystem::path& path, const HexFitOptions& options, const Monitor& monitor) {
   if (is_tet_file(path)) return tet_model(read_tets(path), options, monitor);
   if (const auto format = cad_format_of(path)) {
-    const CadModel model = read_solids(read_unpacked(path), *format, reading_of(options), monitor);
+    CadModel model = read_open_solids(read_unpacked(path), *format, reading_of(options), monitor);
+    if (has_open_solids(model)) return model_of(std::move(model.mesh), options);
     require_memory_of(model.mesh);
     ReadModel read =
         read_given(given_cad(model.mesh, options.crease_angle_deg), model.mesh, model.mesh.warnings);

@@ -28,14 +28,16 @@ const char* name_of(FindingKind kind) {
 }
 
 const char* name_of(FindingOutcome outcome) {
-  constexpr std::array kNames{"joined",   "hole_bridged", "bridged",          "unchanged",  "left_out",
-                              "followed", "reoriented",   "left_out_if_open", "all_inside", "united"};
+  constexpr std::array kNames{"joined",           "hole_bridged", "filled",   "bridged",
+                              "unchanged",        "left_out",     "followed", "reoriented",
+                              "left_out_if_open", "all_inside",   "merged",   "united"};
   return name_among<FindingOutcome::kUnited>(kNames, outcome);
 }
 
 const char* words_of(FindingOutcome outcome) {
   constexpr std::array kWords{"joined where edges run along each other",
                               "bridged by the winding number; close them if the surface there matters",
+                              "filled with triangles; close them if the surface there matters",
                               "bridged by the winding number",
                               "left as they are",
                               "left out",
@@ -43,6 +45,7 @@ const char* words_of(FindingOutcome outcome) {
                               "reoriented",
                               "left out where they bound nothing",
                               "left as they are: all that they enclose is inside",
+                              "merged into the surface around all that they enclose",
                               "taken as one inside; frames follow their surfaces there too"};
   return name_among<FindingOutcome::kUnited>(kWords, outcome);
 }

@@ -11,11 +11,11 @@
 #include "crossgrain/features.hpp"
 #include "crossgrain/model_summary.hpp"
 #include "mesh_files/surface/surface_reader.hpp"
+#include "surface/closing.hpp"
 #include "surface/edge_uses.hpp"
 #include "surface/faded_creases.hpp"
 #include "surface/model_faces.hpp"
 #include "surface/solid_split.hpp"
-#include "surface/stitching.hpp"
 #include "surface/topology.hpp"
 #include "tet_making/surface_faults.hpp"
 #include "tet_making/surface_tets.hpp"
@@ -23,18 +23,20 @@
 namespace crossgrain {
 namespace {
 
-/// Vertices on open edges of a surface are merged if they are at most this far apart, relative to the longest
-/// side: what rounding leaves, far below anything modelled.
-constexpr double kStitchShare = 1e-6;
-
 /// Of the triangles of a CAD file that hexahedra are measured against: they are within 0.02 % of the longest
 /// side of the true faces, 0.4 % of the size of twenty hexahedra along it.
 constexpr int kGivenResolution = 4 * kDefaultResolution;
 
-/// Throws Error(kInput) if solids are not closed, naming the places.
-void check_solids(const CadModel& model) {
+/// Numbers of solids that are not closed.
+std::set<std::int32_t> open_solids(const CadModel& model) {
   std::set<std::int32_t> solids(model.mesh.solids.begin(), model.mesh.solids.end());
   for (const std::int32_t closed : model.solids.solid_numbers) solids.erase(closed);
+  return solids;
+}
+
+/// Throws Error(kInput) if solids are not closed, naming the places.
+void check_solids(const CadModel& model) {
+  const std::set<std::int32_t> solids = open_solids(model);
   if (solids.empty()) return;
   TriangleMesh open;
   open.vertices = model.mesh.vertices;
@@ -43,24 +45,10 @@ void check_solids(const CadModel& model) {
   check_bounds_solid(SearchableSurface(mend_surface(CheckedMesh(weld(std::move(open))))));
 }
 
-/// Returns a mesh without the cracks that rounding leaves; its warnings go to these, with one about cracks.
-TriangleMesh without_cracks(TriangleMesh mesh, std::vector<Warning>& warnings) {
-  const CheckedMesh checked(std::move(mesh));
-  warnings = checked->warnings;
-  StitchedSurface result =
-      stitched(weld(*checked), kStitchShare * longest_side(box_of_solid_triangles(*checked)));
-  if (result.merged > 0)
-    warnings.emplace_back(WarningKind::kSurfaceFinding,
-                          fmt::format("cracks: {} on open edges, at most {:.3g} apart, merged with others",
-                                      counted(result.merged, "vertex", "vertices"), result.widest));
-  result.mesh.warnings.clear();
-  return std::move(result.mesh);
-}
-
 }  // namespace
 
-CadModel read_solids(const InputFile& file, CadFormat format, const TetMakingTuning& options,
-                     const Monitor& monitor) {
+CadModel read_open_solids(const InputFile& file, CadFormat format, const TetMakingTuning& options,
+                          const Monitor& monitor) {
   CadReading reading;
   reading.resolution = kGivenResolution;
   reading.crease_angle_deg = options.crease_angle_deg;
@@ -71,8 +59,18 @@ CadModel read_solids(const InputFile& file, CadFormat format, const TetMakingTun
   CadModel model = read_cad(file, format, reading, monitor, CadContent::kWithSolids);
   model.mesh = with_unit(std::move(model.mesh), options.unit, file.name());
   monitor.tell(summary_of(model.mesh));
+  return model;
+}
+
+CadModel read_solids(const InputFile& file, CadFormat format, const TetMakingTuning& options,
+                     const Monitor& monitor) {
+  CadModel model = read_open_solids(file, format, options, monitor);
   check_solids(model);
   return model;
+}
+
+bool has_open_solids(const CadModel& model) {
+  return !open_solids(model).empty();
 }
 
 GivenModel given_cad(const TriangleMesh& mesh, double crease_angle_deg) {
@@ -86,26 +84,36 @@ GivenModel given_cad(const TriangleMesh& mesh, double crease_angle_deg) {
   return given;
 }
 
-ClosedModel::ClosedModel(TriangleMesh given, double crease_angle_deg)
-    : surface_(mend_surface(CheckedMesh::derived(without_cracks(std::move(given), warnings_)))),
-      crease_angle_deg_(crease_angle_deg) {
-  std::vector<Warning> mended = check_bounds_solid(surface_);
+ClosedModel::ClosedModel(TriangleMesh given, double crease_angle_deg) : crease_angle_deg_(crease_angle_deg) {
+  surface_.emplace(closed_surface(CheckedMesh(std::move(given)), warnings_));
+  const SurfaceFindings findings = all_findings(*surface_);
+  std::vector<Warning> mended = warnings_of_faults(surface_->mended(), findings);
+  if (may_be_united(findings)) {
+    MendedSurface united = united_surface(*surface_);
+    surface_.emplace(std::move(united));
+    is_united_ = true;
+  }
+  check_closed(surface_->mended());
   warnings_.insert(warnings_.end(), mended.begin(), mended.end());
-  const Surface& surface = surface_.surface();
+  const Surface& surface = surface_->surface();
   if (!surface.mesh.faces.empty()) return;
   auto faded = faded_crease_warning(surface, sorted_edge_uses(surface.mesh.triangles),
                                     {.least_deg = crease_angle_deg});
   if (faded) warnings_.push_back(*std::move(faded));
 }
 
+void ClosedModel::check_crossings() const {
+  if (is_united_) check_bounds_solid(*surface_);
+}
+
 PatchedSurface ClosedModel::patches() const {
-  return surface_to_fill(surface_.surface(), {.least_deg = crease_angle_deg_});
+  return surface_to_fill(surface_->surface(), {.least_deg = crease_angle_deg_});
 }
 
 GivenModel ClosedModel::given(const PatchedSurface& patches) const {
   TriangleMesh mesh{patches.vertices, patches.triangles};
   for (const std::uint32_t patch : patches.patch_of) mesh.faces.push_back(patches.tags[patch]);
-  const FaceKind kind = surface_.surface().mesh.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged;
+  const FaceKind kind = surface_->surface().mesh.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged;
   std::vector<ModelFace> faces = listed_faces(mesh.vertices, mesh.triangles, mesh.faces, kind);
   const ModelSize size = size_of(mesh.vertices, mesh.triangles);
   return {ModelSource::kSurface, std::move(faces), size, std::move(mesh), crease_angle_deg_};

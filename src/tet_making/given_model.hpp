@@ -2,6 +2,7 @@
 // Models as tets are made of them, and hexahedra measured against them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cad_reading/cad_reader.hpp"
@@ -19,17 +20,26 @@ namespace crossgrain {
 CadModel read_solids(const InputFile& file, CadFormat format, const TetMakingTuning& options,
                      const Monitor& monitor);
 
+/// The same, but for solids that are not closed.
+CadModel read_open_solids(const InputFile& file, CadFormat format, const TetMakingTuning& options,
+                          const Monitor& monitor);
+
+bool has_open_solids(const CadModel& model);
+
 /// Returns the solids of `read_solids` as what hexahedra are measured against.
 GivenModel given_cad(const TriangleMesh& mesh, double crease_angle_deg);
 
 /// A surface of triangles that bounds solids.
 class ClosedModel {
  public:
-  /// Closes the cracks that rounding leaves, and mends it as for a solve. Throws Error(kInput) if it bounds
-  /// no solid, naming places.
+  /// Mends and closes it (closed_surface), and makes parts that overlap one (united_surface). Throws
+  /// Error(kInput) if it encloses nothing, or stays open, naming places.
   ClosedModel(TriangleMesh given, double crease_angle_deg);
 
-  const SearchableSurface& surface() const { return surface_; }
+  /// Throws Error(kInput) if triangles still cross, naming places: it cannot be cut into tets.
+  void check_crossings() const;
+
+  const SearchableSurface& surface() const { return *surface_; }
 
   /// What reading found, what was mended, and creases that fade out.
   const std::vector<Warning>& warnings() const { return warnings_; }
@@ -42,7 +52,8 @@ class ClosedModel {
 
  private:
   std::vector<Warning> warnings_;
-  SearchableSurface surface_;
+  std::optional<SearchableSurface> surface_;
+  bool is_united_ = false;
   double crease_angle_deg_;
 };
 

@@ -195,6 +195,7 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning&
 TetMesh triangle_tets(TriangleMesh given, const TetMakingTuning& options, const Monitor& monitor) {
   const std::string unit = given.unit, file_unit = given.file_unit;
   const ClosedModel model(std::move(given), options.crease_angle_deg);
+  model.check_crossings();
   const TetJob job = job_of(size_for(model.surface(), options), options, monitor);
   const Programs programs = programs_of(options);
   monitor.report({Phase::kMakeTets, 0, 0, 0, 0});

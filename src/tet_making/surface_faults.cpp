@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "crossgrain/error.hpp"
@@ -35,8 +36,7 @@ std::string holes_in_words(std::vector<OpenLoop> loops) {
   throw Error(ErrorKind::kInput, text, remedy);
 }
 
-void refuse_if_open(const MendedSurface& mended) {
-  if (mended.closed) return;
+void refuse_open(const MendedSurface& mended) {
   const std::string holes = holes_in_words(mended.open_loops);
   if (!holes.empty()) refuse("the surface is not closed, it has " + holes, Remedy::kCloseHoles);
   const Finding* crack = find(mended.findings, FindingKind::kCrack);
@@ -54,8 +54,10 @@ void refuse_if_open(const MendedSurface& mended) {
          Remedy::kCloseSurface);
 }
 
+constexpr std::array kCrossings{FindingKind::kSelfIntersection, FindingKind::kOverlappingComponents};
+
 void refuse_if_crossing(const SurfaceFindings& findings) {
-  for (const FindingKind kind : {FindingKind::kSelfIntersection, FindingKind::kOverlappingComponents}) {
+  for (const FindingKind kind : kCrossings) {
     const Finding* finding = find(findings, kind);
     if (finding == nullptr) continue;
     const bool is_within = kind == FindingKind::kSelfIntersection;
@@ -69,17 +71,38 @@ void refuse_if_crossing(const SurfaceFindings& findings) {
 
 }  // namespace
 
-std::vector<Warning> check_bounds_solid(const SearchableSurface& surface) {
-  refuse_if_open(surface.mended());
+SurfaceFindings all_findings(const SearchableSurface& surface) {
   SurfaceFindings findings = surface.mended().findings;
   find_self_intersections(surface.mended(), surface.bvh(), surface.winding(), findings);
-  refuse_if_crossing(findings);
+  return findings;
+}
+
+bool may_be_united(const SurfaceFindings& findings) {
+  constexpr std::array kKinds{FindingKind::kSelfIntersection, FindingKind::kOverlappingComponents,
+                              FindingKind::kTouchingComponents, FindingKind::kNonmanifoldEdge};
+  return std::ranges::any_of(kKinds, [&](FindingKind kind) { return find(findings, kind) != nullptr; });
+}
+
+void check_closed(const MendedSurface& mended) {
+  if (!mended.closed) refuse_open(mended);
+}
+
+void check_bounds_solid(const SearchableSurface& surface) {
+  check_closed(surface.mended());
+  refuse_if_crossing(all_findings(surface));
+}
+
+std::vector<Warning> warnings_of_faults(const MendedSurface& mended, const SurfaceFindings& findings) {
   std::vector<Warning> warnings;
-  for (SolveReport::Finding finding : input_report(surface.mended(), findings).findings) {
+  for (SolveReport::Finding finding : input_report(mended, findings).findings) {
     // What they separate is cut into tets as one solid.
     if (finding.kind == FindingKind::kInternalSheet) finding.done = FindingOutcome::kLeftOut;
+    if (finding.kind == FindingKind::kHole || finding.kind == FindingKind::kCrack)
+      finding.done = FindingOutcome::kFilled;
+    const bool is_united = std::ranges::count(kCrossings, finding.kind) > 0;
+    if (is_united || finding.kind == FindingKind::kTouchingComponents) finding.done = FindingOutcome::kMerged;
     warnings.emplace_back(WarningKind::kSurfaceFinding,
-                          sentence_of(finding, longest_side(surface.mended().surface.box)));
+                          sentence_of(finding, longest_side(mended.surface.box)));
   }
   return warnings;
 }

@@ -33,6 +33,11 @@ USAGE, INPUT, OUTPUT, LIMIT, INTERRUPTED = 2, 3, 4, 5, 130
 STEP = "ISO-10303-21;\nEND-ISO-10303-21;\n"
 
 
+def volume_of(mesh):
+    corners = mesh.vertices[mesh.tets]
+    return np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])).sum() / 6
+
+
 class TetsTest(CommandTest):
     """A test with a folder for temporary files besides its own, in which nothing may stay."""
 
@@ -218,23 +223,28 @@ class MadeOfCad(TetsTest):
 
 
 class Refused(TetsTest):
-    def test_holes_are_named_with_their_places_the_largest_first(self):
+    def test_holes_are_filled_and_told_with_the_place_of_the_largest(self):
         triangles = sphere_triangles()
         middles = triangles.mean(axis=1)
         is_gone = (np.linalg.norm(middles - [0, 0, 1], axis=1) < 0.3) | (np.linalg.norm(middles - [1, 0, 0], axis=1) < 0.5)
         self.write("open.stl", stl_bytes(triangles[~is_gone]))
         result = self.tets("open.stl")
-        self.assert_fails(result, INPUT, "open.stl", "2 holes: ", "close these holes first")
-        places = [np.array(part.split()[:3], float) for part in
-                  result.stderr.split(";")[0].replace(",", " ").split("around")[1:]]
-        self.assertLess(np.linalg.norm(places[0] - [1, 0, 0]), 0.5)
-        self.assertLess(np.linalg.norm(places[1] - [0, 0, 1]), 0.3)
-        self.assertEqual(self.names(), ["open.stl"])
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("holes: 2, the largest", result.stderr)
+        self.assertIn("filled with triangles", result.stderr)
+        place = np.array(result.stderr.split(", at ")[1].split(";")[0].split(), float)
+        self.assertLess(np.linalg.norm(place - [1, 0, 0]), 0.5)
+        volume = volume_of(TaggedMesh(self.folder / "open.mesh"))
+        self.assertGreater(volume, 3.5)
+        self.assertLess(volume, 4.19)
 
-    def test_a_surface_that_cuts_through_itself_is_told_where(self):
+    def test_parts_that_overlap_are_united_and_told_where(self):
         boxes = np.concatenate([box_triangles((2, 2, 2)), box_triangles((2, 2, 2)) + [1.1, 0.7, 0.9]])
         self.write("two.stl", stl_bytes(boxes))
-        self.assert_fails(self.tets("two.stl"), INPUT, "two.stl", "overlap", "the first at", "unite its parts")
+        result = self.tets("two.stl")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("overlapping components: 1, at", result.stderr)
+        self.assertAlmostEqual(volume_of(TaggedMesh(self.folder / "two.mesh")), 16 - 0.9 * 1.3 * 1.1, 6)
 
     def test_a_surface_around_nothing_is_told(self):
         self.write("sheet.stl", stl_bytes(box_triangles()[:2]))

@@ -96,8 +96,9 @@ TEST(NameOfAFinding, IsThatOfSchema4) {
                                       "stray facets", "self-intersections", "overlapping components",
                                       "touching components"}));
   EXPECT_EQ(all_names<FindingOutcome>(),
-            (std::vector<std::string>{"joined", "hole_bridged", "bridged", "unchanged", "left_out",
-                                      "followed", "reoriented", "left_out_if_open", "all_inside", "united"}));
+            (std::vector<std::string>{"joined", "hole_bridged", "filled", "bridged", "unchanged", "left_out",
+                                      "followed", "reoriented", "left_out_if_open", "all_inside", "merged",
+                                      "united"}));
 }
 
 TEST_F(NamesInReports, OfOutcomesStandBesideTheirWords) {
