@@ -3,18 +3,22 @@
 """`crossgrain hex --lattice`, and lattices where no map keeps the model: judged by independent code (hex_judge.py)."""
 
 import json
+import os
+import shutil
 import signal
 import subprocess
 import unittest
 
 import numpy as np
 
+from damage import subdivided
 from fit_test import cylinder
 from hex_judge import judged
 from hex_pictures_test import legend_of
 from page_reader import Page
 from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box
 
+CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
 USAGE, INPUT, PARTIAL, APPROXIMATE, INTERRUPTED = 2, 3, 6, 7, 130
 
 
@@ -179,15 +183,46 @@ class Lattice(CommandTest):
         self.assertRegex(printed, r"(?m)its 2 solids are meshed as one, without faces between them, which only maps have$")
         self.assertEqual(report["bodies"], 1)
 
-    def test_of_bodies_that_touch_is_made_once_since_no_size_parts_them(self):
+    def test_fills_the_holes_of_a_surface_and_says_where(self):
+        whole = turned(subdivided(np.array(box_triangles()), 2), 0.7)
+        self.write("part.stl", stl_bytes(whole[np.random.default_rng(5).random(len(whole)) > 0.1]))
+        self.write("whole.stl", stl_bytes(whole))
+        result = self.run_here("hex", "part.stl", "--lattice", "--cells", "8", "-o", "out")
+        self.assertRegex(result.stderr, r"warning: part.stl: holes: \d+, the largest .* at .*; filled with triangles")
+        self.assert_all_hex(0.125 * max(np.ptp(whole.reshape(-1, 3), axis=0)), model="whole.stl")
+
+    def test_is_made_where_no_program_makes_tets(self):
+        alone = shutil.copy(PROGRAM, self.folder / "alone")
+        self.write("part.stl", stl_bytes(box_triangles()))
+        arguments = ("hex", "part.stl", "--cells", "4", "-o", "out", "--no-report")
+        environment = {**os.environ, "PATH": ""}
+        result = self.run_here(*arguments, "--write", "hexex", program=str(alone), env=environment)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, "warning: part.stl: a lattice is made, without a field and a map: no tets .* no program .*; install gmsh")
+        self.assertRegex(result.stderr, "warning: no file of a field or a map is written")
+        self.assertRegex(result.stdout, r"(?m)^files      out: hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
+        self.assertIn("no tets can be made of it", str(json.loads((self.folder / "out/report.json").read_text())["warnings"]))
+        result = self.run_here(*arguments, "--map-only", "--force", program=str(alone), env=environment)
+        self.assert_fails(result, INPUT, "part.stl", "no program that makes tets", "install gmsh")
+
+    @unittest.skipUnless(CAD_FILES, "built without OpenCASCADE")
+    def test_fills_an_open_shell_of_a_cad_file(self):
+        subprocess.run([CAD_FILES, self.folder], capture_output=True, timeout=60, check=True)
+        for options in ((), ("--lattice",)):
+            with self.subTest(options=options):
+                result = self.run_here("hex", "open.brep", *options, "--cells", "6", "-o", "out", "--force", "--no-report")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn("filled with triangles", result.stderr)
+                features = json.loads((self.folder / "out" / "report.json").read_text())["hexahedra"]["features"]
+                self.assertEqual(features["faces"]["kept"], 6)
+
+    def test_of_bodies_that_touch_fills_what_they_are_together(self):
         box = np.array(box_triangles())
         size = box.reshape(-1, 3).max(axis=0)
         self.write("part.stl", stl_bytes(np.concatenate([box, 0.5 * box + np.array([size[0], 0.2 * size[1], 0.2 * size[2]])])))
-        printed, report = self.made("--lattice", "--cells", "10", code=PARTIAL)
-        self.assertEqual(len(report["attempts"]), 1)
-        self.assertNotIn("remedy", report)
-        self.assertIn("closed parts of the surface touch or overlap", printed)
-        self.assertNotIn("try --size", printed)
+        _, report = self.made("--lattice", "--cells", "10")
+        self.assertEqual(report["bodies"], 1)
+        self.assertAlmostEqual(report["volume"], 1.125 * np.prod(size), 6)
 
     def test_has_a_body_in_a_void(self):
         box = np.array(box_triangles())

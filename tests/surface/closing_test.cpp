@@ -223,6 +223,17 @@ TEST(UnitedSurface, LeavesOutPartsWithinOthersAndKeepsVoids) {
   EXPECT_NEAR(enclosed_volume(united(join_meshes(outer, flip_mesh(inner))).surface), 7, 1e-12);
 }
 
+/// A box that stands out of another by a little.
+TEST(UnitedSurface, LeavesOutPiecesThinnerThanItsGap) {
+  for (const double share : {0.1, 10.0}) {
+    const double out = share * kUniteGap * 2;
+    const MendedSurface one =
+        united(join_meshes(make_box({2, 2, 2}), translate_mesh(make_box({1, 1, 1}), {0.5 + out, 0, 0})));
+    EXPECT_TRUE(one.closed);
+    EXPECT_NEAR(one.surface.box.high[0], share < 1 ? 1 : 1 + out, 0.5 * out);
+  }
+}
+
 /// Winding numbers of the parts tell what is inside: a place is, if that of one part is 1.
 TEST(UnitedSurface, EnclosesWhatItsPartsEnclose) {
   for (unsigned seed = 1; seed < 5; ++seed) {
