@@ -7,7 +7,8 @@
 The set: meshes of ../shared/hexme, STEP files of models/ and ../shared/models/good, and parts of cad_parts.py. FOLDER gets MODEL-CELLS with the
 results and judged.json of each; with --judge only results that are there are judged again. --beside names the FOLDER of an earlier run, or
 another program, which is run too: then columns and totals compare numbers of hexahedra and worst shapes. --lattice runs `hex --lattice`, on the
-set that lattices are judged by: all meshes of the c series, all closed solids, the five parts, and those of cad_parts.py.
+set that lattices are judged by: all meshes of the c series, all closed solids, the five parts, and those of cad_parts.py; --organic the same with
+those of organic_parts.py.
 """
 
 import argparse
@@ -20,6 +21,7 @@ import time
 from pathlib import Path
 
 import cad_parts
+import organic_parts
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "command"))
@@ -38,7 +40,7 @@ FIFTH = 5
 GOOD_SHAPE, FAIR_SHAPE, LEAST_SHAPE, OF_BOUND = 0.2, 0.1, 0.02, 0.6  # scaled Jacobians, and the share of what features' angles allow
 
 
-def paths_of(shared, out, of_lattices):
+def paths_of(shared, out, of_lattices, are_organic):
     """{name: path} of the set; packed meshes are unpacked into a folder, parts are made there."""
     out.mkdir(parents=True, exist_ok=True)
     found = {}
@@ -57,6 +59,8 @@ def paths_of(shared, out, of_lattices):
         found[name] = out / f"{name}.step"
         if not found[name].exists():
             cad_parts.make(name, out)
+    if are_organic:
+        found.update({name: organic_parts.make(name, out) for name in organic_parts.NAMES})
     return {name: path for name, path in found.items() if path.exists()}
 
 
@@ -172,6 +176,7 @@ def main():
     parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared")
     parser.add_argument("--cells", default="10,20,30")
     parser.add_argument("--lattice", action="store_true", help="hexahedra of lattices, on the set that these are judged by")
+    parser.add_argument("--organic", action="store_true", help="with a scan, a cross of pipes and a stirrer")
     parser.add_argument("--fifth", action="store_true", help="every fifth run of the set, always the same")
     parser.add_argument("--beside", type=Path)
     parser.add_argument("--judge", action="store_true", help="judge the results in FOLDER again, without the program")
@@ -180,7 +185,7 @@ def main():
     options = parser.parse_args()
     if not options.program and not options.judge:
         parser.error("--program is needed, or --judge")
-    paths = paths_of(options.shared, options.out, options.lattice)
+    paths = paths_of(options.shared, options.out, options.lattice, options.organic)
     if unknown := set(options.models) - set(paths):
         parser.error(f"no such model: {', '.join(sorted(unknown))}; there are {', '.join(paths)}")
     tasks = [(name, paths[name], int(cells)) for name in options.models or paths for cells in options.cells.split(",")]

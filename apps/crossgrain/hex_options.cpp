@@ -75,6 +75,10 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
       "where this one does not (default: 1.4 times the size of the hexahedra, at most 0.07 of the longest "
       "side; 4 times this if it makes more than 50000 tets). If no mesh fills the model, other sizes are "
       "tried");
+  add_value(
+      *command, "--defeature", options.tets.defeature, "SIZE", fault_of_length,
+      "Leave out holes, slots, pockets and bosses narrower than this, in model units, and say where; the "
+      "solids of a CAD file are one then");
   add_ways(*command, arguments);
   add_run_options(*command, arguments);
   add_keep_tags(*command, arguments.tags);

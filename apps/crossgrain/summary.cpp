@@ -413,8 +413,9 @@ bool is_said(const Warning& warning, const SolveReport& report) {
 
 bool is_always_printed(const Warning& warning) {
   return warning.kind == WarningKind::kMemoryLimited || warning.kind == WarningKind::kSurfaceFinding ||
-         warning.kind == WarningKind::kFadedCreases || warning.kind == WarningKind::kConstraintsOutside ||
-         warning.kind == WarningKind::kListedTopology || is_unsettled(warning);
+         warning.kind == WarningKind::kLeftOutFeatures || warning.kind == WarningKind::kFadedCreases ||
+         warning.kind == WarningKind::kConstraintsOutside || warning.kind == WarningKind::kListedTopology ||
+         is_unsettled(warning);
 }
 
 }  // namespace crossgrain::app

@@ -25,6 +25,10 @@ struct HexFitOptions {
   /// ReadOptions::crease_angle_deg.
   double crease_angle_deg = 35;
 
+  /// Holes, slots, pockets and bosses narrower than this, in the unit of the model, are left out of a surface
+  /// or a CAD file, whose solids are one then. 0: none.
+  double defeature = 0;
+
   /// How tags of a model that is a tet mesh are read.
   TetTagOptions tags;
 

@@ -38,6 +38,10 @@ struct TetMakingOptions {
   /// of patches; of CAD files, as ReadOptions::crease_angle_deg.
   double crease_angle_deg = 35;
 
+  /// Holes, slots, pockets and bosses narrower than this, in the unit of the model, are left out, each told
+  /// in a warning; a CAD file is cut into tets by its triangles then, as one solid. 0: none.
+  double defeature = 0;
+
   /// Time limit for each program that makes tets.
   double seconds = 600;
 

@@ -44,6 +44,7 @@ enum class WarningKind : int {
 
   // The surface and its solids.
   kSurfaceFinding,     ///< one of SolveReport::input
+  kLeftOutFeatures,    ///< small holes and bosses were left out, as asked for
   kOverlappingSolids,  ///< solids overlap
   kTouchingSolids,     ///< solids touch without shared triangles
   kEmptySolids,        ///< solids are too small to hold a cell

@@ -40,8 +40,8 @@ CROSSGRAIN_OPTIONS(ReadOptions, resolution, cell_size, facet_angle_deg, crease_a
                    read_seconds, max_memory_bytes)
 CROSSGRAIN_OPTIONS(TetTagOptions, keep_all)
 CROSSGRAIN_OPTIONS(MapPreparationOptions, unite_solids)
-CROSSGRAIN_OPTIONS(TetMakingOptions, size, edges, maker, edges_per_circle, crease_angle_deg, seconds,
-                   max_memory_bytes, read_seconds, glue, unit)
+CROSSGRAIN_OPTIONS(TetMakingOptions, size, edges, maker, edges_per_circle, crease_angle_deg, defeature,
+                   seconds, max_memory_bytes, read_seconds, glue, unit)
 CROSSGRAIN_OPTIONS(RepairOptions, moves_vertices, max_memory_bytes)
 CROSSGRAIN_OPTIONS(HexOptions, size, cells, preference, thorough, threads)
 
@@ -55,8 +55,8 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
 
 template <class Visit>
 void for_each_option(HexFitOptions& options, const Visit& visit) {
-  CROSSGRAIN_EACH(CROSSGRAIN_OPTION, visit, crease_angle_deg, read_seconds, glue, unit, max_memory_bytes,
-                  threads)
+  CROSSGRAIN_EACH(CROSSGRAIN_OPTION, visit, crease_angle_deg, defeature, read_seconds, glue, unit,
+                  max_memory_bytes, threads)
   for_each_inner_option("tags", options.tags, visit);
 }
 

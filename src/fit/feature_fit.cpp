@@ -55,8 +55,9 @@ int class_of(double least) {
                                                 [&](double bound) { return least >= bound; }));
 }
 
-/// Layers that are dearer than others by this are not tried where only shapes are poor.
-constexpr double kMostBeside = 2;
+/// Layers that are dearer than others by this, or are more hexahedra than that, are not tried where only
+/// shapes are poor: with a million both ways take three minutes each, and neither was better by a class.
+constexpr double kMostBeside = 2, kMostForShapes = 300000;
 
 void require_memory_of(double hexahedra) {
   require_memory(kBytesOfFittedHexahedron * hexahedra,
@@ -193,7 +194,8 @@ class FittingWays {
   /// With the layers that were added: the second way unless the first is good, or keeps all and the second is
   /// dearer by kMostBeside, or the first is off the model by what other layers do not mend.
   void fit_with_layers() {
-    const auto most = kMostBeside * static_cast<double>(layers_[0].embedded.mesh.hexahedra.size());
+    const auto first = static_cast<double>(layers_[0].embedded.mesh.hexahedra.size());
+    const double most = std::min(kMostBeside * first, std::max(first, kMostForShapes));
     bool is_elsewhere = false;
     for (const Layers& way : layers_) {
       if (!way.is_usable) continue;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit/hex_sides.hpp"
 
-#include <algorithm>
-#include <utility>
-
-#include "base/parallel.hpp"
+#include <span>
 
 namespace crossgrain {
 namespace {
@@ -25,28 +22,13 @@ constexpr std::array<std::array<std::uint8_t, 4>, 6> sides_across() {
 }  // namespace
 
 std::vector<std::uint32_t> opposite_sides(const HexMesh& mesh) {
-  using Use = std::pair<std::array<std::uint32_t, 4>, std::uint32_t>;
-  std::vector<Use> uses(6 * mesh.hexahedra.size());
-  parallel_for(uses.size(), [&](std::size_t side) {
-    const auto number = static_cast<std::uint32_t>(side);
-    uses[side] = {corners_of_side(mesh, number), number};
-    std::ranges::sort(uses[side].first);
+  std::vector<std::uint32_t> opposite(6 * mesh.hexahedra.size(), kNoSide);
+  const SideGroups groups(mesh);
+  groups.for_each([&](std::span<const std::uint32_t> sides) {
+    if (sides.size() != 2) return;
+    opposite[sides[0]] = sides[1];
+    opposite[sides[1]] = sides[0];
   });
-  Checkpoint checkpoint;
-  std::ranges::sort(uses, [&](const Use& a, const Use& b) {
-    checkpoint.pass();
-    return a < b;
-  });
-  std::vector<std::uint32_t> opposite(uses.size(), kNoSide);
-  for (std::size_t k = 0; k < uses.size();) {
-    std::size_t end = k + 1;
-    while (end < uses.size() && uses[end].first == uses[k].first) ++end;
-    if (end - k == 2) {
-      opposite[uses[k].second] = uses[k + 1].second;
-      opposite[uses[k + 1].second] = uses[k].second;
-    }
-    k = end;
-  }
   return opposite;
 }
 

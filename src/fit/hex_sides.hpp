@@ -13,13 +13,6 @@ namespace crossgrain {
 
 inline constexpr std::uint32_t kNoSide = UINT32_MAX;
 
-/// Vertices of a side, outward.
-inline std::array<std::uint32_t, 4> corners_of_side(const HexMesh& mesh, std::uint32_t side) {
-  const auto& hexahedron = mesh.hexahedra[side / 6];
-  const auto& [a, b, c, d] = kHexFaces[side % 6];
-  return {hexahedron[a], hexahedron[b], hexahedron[c], hexahedron[d]};
-}
-
 /// Returns for each side that of the hexahedron across; kNoSide on the boundary, and where not just two
 /// hexahedra have it.
 std::vector<std::uint32_t> opposite_sides(const HexMesh& mesh);

@@ -118,12 +118,21 @@ std::vector<int> shells_of(const HexMesh& mesh) {
 }
 
 Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& narrow) {
-  Lattice lattice;
-  lattice.axes = lattice_axes(surface);
+  const Quaternion axes = lattice_axes(surface);
+  Lattice lattice = lattice_between(surface, axes, [&](const Surface& along) {
+    return lattice_planes(along, size, narrow_along(narrow, axes));
+  });
   lattice.level = narrow.level;
-  const Surface along = turned(surface, lattice.axes);
+  return lattice;
+}
+
+Lattice lattice_between(const Surface& surface, const Quaternion& axes,
+                        const std::function<LatticePlanes(const Surface& along)>& planes_of) {
+  Lattice lattice;
+  lattice.axes = axes;
+  const Surface along = turned(surface, axes);
   lattice.slanted_share = slanted_share(along);
-  const LatticePlanes planes = lattice_planes(along, size, narrow_along(narrow, lattice.axes));
+  const LatticePlanes planes = planes_of(along);
   require_memory_of(planes);
   const KeptCells kept =
       kept_cells(volume_shares(along, planes), planes, [&] { return small_bodies_of(along.mesh); });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "base/quaternion.hpp"
@@ -48,6 +49,11 @@ struct Lattice {
 /// `shells` is empty. Throws Error(kLimit) for more cells than memory holds. The same to the bit for any
 /// number of threads; interrupted as watched loops are.
 Lattice lattice_of(const Surface& surface, double size, const NarrowFeatures& narrow = {});
+
+/// Returns the cells that are kept of a lattice on planes turned by `axes`, those of lattice_of or others:
+/// `planes_of` is given the surface in coordinates along the axes. Otherwise as lattice_of.
+Lattice lattice_between(const Surface& surface, const Quaternion& axes,
+                        const std::function<LatticePlanes(const Surface& along)>& planes_of);
 
 /// Whether lattice_of has other planes with a level than with `narrow.level`.
 bool has_other_planes(const Surface& surface, double size, NarrowFeatures narrow, NarrowLevel level);

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "crossgrain/hex_mesh.hpp"
 
 namespace crossgrain {
@@ -21,6 +23,36 @@ inline constexpr std::array<std::array<std::uint8_t, 2>, 12> kHexEdges{
 /// The three corners next to each corner of a hexahedron, right-handed.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 8> kHexNeighbours{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+
+/// Vertices, outward, of side 6 h + s: side s of hexahedron h.
+inline std::array<std::uint32_t, 4> corners_of_side(const HexMesh& mesh, std::uint32_t side) {
+  const auto& hexahedron = mesh.hexahedra[side / 6];
+  const auto& [a, b, c, d] = kHexFaces[side % 6];
+  return {hexahedron[a], hexahedron[b], hexahedron[c], hexahedron[d]};
+}
+
+/// The sides of hexahedra, those of the same vertices together.
+class SideGroups {
+ public:
+  explicit SideGroups(const HexMesh& mesh);
+
+  /// Calls visit(sides) for each set of vertices, ascending by these, with the sides that have it, ascending.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    Checkpoint checkpoint;
+    for (std::size_t k = 0; k < sides_.size();) {
+      checkpoint.pass();
+      std::size_t end = k + 1;
+      while (end < sides_.size() && !is_first_[end]) ++end;
+      visit(std::span<const std::uint32_t>(sides_).subspan(k, end - k));
+      k = end;
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> sides_;
+  std::vector<std::uint8_t> is_first_;  ///< of each of these, whether it is the first of its vertices
+};
 
 struct HexSide {
   std::array<std::uint32_t, 4> vertices;  ///< outward

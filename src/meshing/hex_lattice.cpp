@@ -32,6 +32,7 @@ HexFitOptions reading_of(const HexMeshingOptions& options) {
   reading.tags = options.tags;
   reading.read_seconds = options.tets.read_seconds;
   reading.glue = options.tets.glue;
+  reading.defeature = options.tets.defeature;
   reading.unit = options.tets.unit;
   reading.max_memory_bytes = options.solve.max_memory_bytes;
   return reading;

@@ -42,6 +42,7 @@ TetMakingTuning reading_of(const HexFitOptions& options) {
   reading.crease_angle_deg = options.crease_angle_deg;
   reading.read_seconds = options.read_seconds;
   reading.glue = options.glue;
+  reading.defeature = options.defeature;
   reading.unit = options.unit;
   reading.max_memory_bytes = options.max_memory_bytes;
   return reading;
@@ -94,7 +95,7 @@ ReadModel read_file(const std::filesystem::path& path, const HexFitOptions& opti
   if (is_tet_file(path)) return tet_model(read_tets(path), options, monitor);
   if (const auto format = cad_format_of(path)) {
     CadModel model = read_open_solids(read_unpacked(path), *format, reading_of(options), monitor);
-    if (has_open_solids(model)) return model_of(std::move(model.mesh), options);
+    if (has_open_solids(model) || options.defeature > 0) return model_of(std::move(model.mesh), options);
     require_memory_of(model.mesh);
     ReadModel read =
         read_given(given_cad(model.mesh, options.crease_angle_deg), model.mesh, model.mesh.warnings);
@@ -113,7 +114,7 @@ ReadModel model_of(TriangleMesh surface, const HexFitOptions& options) {
   TriangleMesh units;
   units.unit = surface.unit;
   units.file_unit = surface.file_unit;
-  const ClosedModel model(std::move(surface), options.crease_angle_deg);
+  const ClosedModel model(std::move(surface), options.crease_angle_deg, options.defeature);
   return read_given(model.given(model.patches()), units, model.warnings());
 }
 

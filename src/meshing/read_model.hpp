@@ -24,11 +24,11 @@ struct ReadModel {
   std::size_t solids = 1;  ///< of a CAD file, or regions of tets
 };
 
-/// Reads a CAD file, a closed surface or a tet mesh. The monitor hears of the model. Throws as `read_surface`
+/// Reads a CAD file, a surface or a tet mesh. The monitor hears of the model. Throws as `read_surface`
 /// and `read_tets` do, naming the file, and Error(kInput) for surfaces that bound no solid.
 ReadModel read_model(const std::filesystem::path& path, const HexFitOptions& options, const Monitor& monitor);
 
-/// The same of a closed surface.
+/// The same of a surface, which is closed (ClosedModel).
 ReadModel model_of(TriangleMesh surface, const HexFitOptions& options);
 
 /// Returns an error with the name of the model's file, if it is about the model or what is asked of it.

@@ -3,17 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "base/vector3.hpp"
 #include "crossgrain/features.hpp"
 #include "crossgrain/model_summary.hpp"
+#include "crossgrain/place.hpp"
 #include "mesh_files/surface/surface_reader.hpp"
 #include "surface/closing.hpp"
+#include "surface/defeaturing.hpp"
 #include "surface/edge_uses.hpp"
 #include "surface/faded_creases.hpp"
+#include "surface/feature_complex.hpp"
 #include "surface/model_faces.hpp"
 #include "surface/solid_split.hpp"
 #include "surface/topology.hpp"
@@ -84,7 +90,8 @@ GivenModel given_cad(const TriangleMesh& mesh, double crease_angle_deg) {
   return given;
 }
 
-ClosedModel::ClosedModel(TriangleMesh given, double crease_angle_deg) : crease_angle_deg_(crease_angle_deg) {
+ClosedModel::ClosedModel(TriangleMesh given, double crease_angle_deg, double defeature)
+    : crease_angle_deg_(crease_angle_deg) {
   surface_.emplace(closed_surface(CheckedMesh(std::move(given)), warnings_));
   const SurfaceFindings findings = all_findings(*surface_);
   std::vector<Warning> mended = warnings_of_faults(surface_->mended(), findings);
@@ -95,11 +102,38 @@ ClosedModel::ClosedModel(TriangleMesh given, double crease_angle_deg) : crease_a
   }
   check_closed(surface_->mended());
   warnings_.insert(warnings_.end(), mended.begin(), mended.end());
+  if (defeature > 0) leave_out_below(defeature);
   const Surface& surface = surface_->surface();
   if (!surface.mesh.faces.empty()) return;
   auto faded = faded_crease_warning(surface, sorted_edge_uses(surface.mesh.triangles),
                                     {.least_deg = crease_angle_deg});
   if (faded) warnings_.push_back(*std::move(faded));
+}
+
+void ClosedModel::leave_out_below(double size) {
+  constexpr std::size_t kMostPlaces = 5;
+  const Surface& surface = surface_->surface();
+  DefeaturedSurface left = without_small_features(
+      surface.mesh,
+      feature_complex(surface, {.angles = {.least_deg = crease_angle_deg_}, .unite_solids = true}), size);
+  if (left.features.empty()) {
+    warnings_.emplace_back(WarningKind::kLeftOutFeatures,
+                           fmt::format("no hole, slot, pocket or boss is narrower than {:.4g}", size));
+    return;
+  }
+  const double longest = longest_side(surface.box);
+  std::string places;
+  for (std::size_t k = 0; k < std::min(left.features.size(), kMostPlaces); ++k)
+    places += fmt::format("{} {:.3g} wide at {}", k == 0 ? "" : ",", left.features[k].width,
+                          words_of_place(left.features[k].middle, longest));
+  if (left.features.size() > kMostPlaces)
+    places += fmt::format(", and {} narrower", left.features.size() - kMostPlaces);
+  warnings_.emplace_back(WarningKind::kLeftOutFeatures,
+                         fmt::format("{} narrower than {:.4g} left out:{}",
+                                     counted(left.features.size(), "hole, slot, pocket or boss",
+                                             "holes, slots, pockets or bosses"),
+                                     size, places));
+  surface_.emplace(mend_surface(CheckedMesh::derived(std::move(left.mesh))));
 }
 
 void ClosedModel::check_crossings() const {
@@ -112,6 +146,7 @@ PatchedSurface ClosedModel::patches() const {
 
 GivenModel ClosedModel::given(const PatchedSurface& patches) const {
   TriangleMesh mesh{patches.vertices, patches.triangles};
+  mesh.unit = surface_->surface().mesh.unit;
   for (const std::uint32_t patch : patches.patch_of) mesh.faces.push_back(patches.tags[patch]);
   const FaceKind kind = surface_->surface().mesh.faces.empty() ? FaceKind::kPatch : FaceKind::kTagged;
   std::vector<ModelFace> faces = listed_faces(mesh.vertices, mesh.triangles, mesh.faces, kind);

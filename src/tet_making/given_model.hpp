@@ -32,9 +32,10 @@ GivenModel given_cad(const TriangleMesh& mesh, double crease_angle_deg);
 /// A surface of triangles that bounds solids.
 class ClosedModel {
  public:
-  /// Mends and closes it (closed_surface), and makes parts that overlap one (united_surface). Throws
-  /// Error(kInput) if it encloses nothing, or stays open, naming places.
-  ClosedModel(TriangleMesh given, double crease_angle_deg);
+  /// Mends and closes it (closed_surface), makes parts that overlap one (united_surface), and leaves out what
+  /// is narrower than `defeature` (without_small_features). Throws Error(kInput) if it encloses nothing, or
+  /// stays open, naming places.
+  ClosedModel(TriangleMesh given, double crease_angle_deg, double defeature = 0);
 
   /// Throws Error(kInput) if triangles still cross, naming places: it cannot be cut into tets.
   void check_crossings() const;
@@ -53,6 +54,8 @@ class ClosedModel {
  private:
   std::vector<Warning> warnings_;
   std::optional<SearchableSurface> surface_;
+  void leave_out_below(double size);
+
   bool is_united_ = false;
   double crease_angle_deg_;
 };

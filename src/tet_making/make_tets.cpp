@@ -50,6 +50,7 @@ void check_options(const TetMakingTuning& options) {
   check_range(options.size, 0, kInfinity, "size");
   check_range(options.edges, 1, 1e6, "edges");
   check_range(options.seconds, 0, kInfinity, "seconds");
+  check_range(options.defeature, 0, kInfinity, "defeature");
   check_range(options.edges_per_circle, 3, 1e6, "edges_per_circle");
 }
 
@@ -159,8 +160,28 @@ CreaseAngles creases_of(const TetMakingTuning& options) {
   return {.least_deg = options.crease_angle_deg};
 }
 
+TetMesh triangle_tets(TriangleMesh given, const TetMakingTuning& options, const Monitor& monitor) {
+  const std::string unit = given.unit, file_unit = given.file_unit;
+  const ClosedModel model(std::move(given), options.crease_angle_deg, options.defeature);
+  model.check_crossings();
+  const TetJob job = job_of(size_for(model.surface(), options), options, monitor);
+  const Programs programs = programs_of(options);
+  monitor.report({Phase::kMakeTets, 0, 0, 0, 0});
+  Attempts attempts;
+  const PatchedSurface triangles = model.patches();
+  attempt_surface(triangles, programs, job, attempts);
+  TetMesh result = std::move(attempts).result();
+  result.unit = unit;
+  result.file_unit = file_unit;
+  result.given = std::make_shared<const GivenModel>(model.given(triangles));
+  add_first(result.warnings, model.warnings());
+  return result;
+}
+
 TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning& options,
                  const Monitor& monitor) {
+  if (options.defeature > 0)
+    return triangle_tets(read_open_solids(file, format, options, monitor).mesh, options, monitor);
   CadModel model = read_solids(file, format, options, monitor);
   const SearchableSurface faces(prepare_surface(weld(model.mesh)));
   const TetJob job = job_of(size_for(faces, options), options, monitor);
@@ -190,24 +211,6 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning&
   mesh.given = std::make_shared<const GivenModel>(given_cad(model.mesh, options.crease_angle_deg));
   add_first(mesh.warnings, model.mesh.warnings);
   return mesh;
-}
-
-TetMesh triangle_tets(TriangleMesh given, const TetMakingTuning& options, const Monitor& monitor) {
-  const std::string unit = given.unit, file_unit = given.file_unit;
-  const ClosedModel model(std::move(given), options.crease_angle_deg);
-  model.check_crossings();
-  const TetJob job = job_of(size_for(model.surface(), options), options, monitor);
-  const Programs programs = programs_of(options);
-  monitor.report({Phase::kMakeTets, 0, 0, 0, 0});
-  Attempts attempts;
-  const PatchedSurface triangles = model.patches();
-  attempt_surface(triangles, programs, job, attempts);
-  TetMesh result = std::move(attempts).result();
-  result.unit = unit;
-  result.file_unit = file_unit;
-  result.given = std::make_shared<const GivenModel>(model.given(triangles));
-  add_first(result.warnings, model.warnings());
-  return result;
 }
 
 }  // namespace
