@@ -113,10 +113,10 @@ FittedHexahedra made_by_lattice(const Read& read, const HexMeshingOptions& optio
 
 /// Whether an error says that no tets can be made of a model.
 bool is_of_tets(const Error& error) {
-  constexpr std::array kRemedies{Remedy::kUniteParts, Remedy::kCloseHoles, Remedy::kInstallTetMaker,
-                                 Remedy::kAllowTetTime, Remedy::kChangeTetSize};
-  return error.kind() == ErrorKind::kInput &&
-         std::ranges::find(kRemedies, error.message().remedy) != kRemedies.end();
+  constexpr std::array kRemedies{Remedy::kUniteParts, Remedy::kCloseHoles, Remedy::kCloseSurface,
+                                 Remedy::kInstallTetMaker, Remedy::kChangeTetSize};
+  if (error.kind() == ErrorKind::kLimit) return error.remedy() == Remedy::kAllowTetTime;
+  return error.kind() == ErrorKind::kInput && std::ranges::find(kRemedies, error.remedy()) != kRemedies.end();
 }
 
 template <class Model>
@@ -125,9 +125,7 @@ FittedHexahedra made_without_tets(const Error& error, const Model& model, const 
   if (!is_of_tets(error) || options.hexahedra.preference == HexPreference::kMapOnly) throw Error(error);
   const Warning warning(
       WarningKind::kTetMaker,
-      fmt::format("a lattice is made, without a field and a map: no tets can be made of it, "
-                  "since {}",
-                  error.text()),
+      fmt::format("no tets can be made of it, and so no field and no map, but a lattice: {}", error.text()),
       error.message().remedy);
   if (options.on_warning) options.on_warning(warning);
   try {

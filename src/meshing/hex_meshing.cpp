@@ -77,6 +77,7 @@ Hexahedra make_hexahedra(const std::filesystem::path& model, const HexMeshingOpt
       return hexahedra_in_tets_of(
           [&](const auto& making, const Monitor& part) { return make_tets(model, making, part); }, options,
           MeshingTuning(), monitor);
+    check_no_defeature(options.tets.defeature);
     const auto read = [&] {
       TetMesh mesh = read_tets(model);
       if (options.tets.unit != LengthUnit::kUnknown) mesh.unit = name_of(options.tets.unit);

@@ -92,6 +92,7 @@ ReadModel tet_model(TetMesh mesh, const HexFitOptions& options, const Monitor& m
 }
 
 ReadModel read_file(const std::filesystem::path& path, const HexFitOptions& options, const Monitor& monitor) {
+  if (is_tet_file(path)) check_no_defeature(options.defeature);
   if (is_tet_file(path)) return tet_model(read_tets(path), options, monitor);
   if (const auto format = cad_format_of(path)) {
     CadModel model = read_open_solids(read_unpacked(path), *format, reading_of(options), monitor);
@@ -109,7 +110,15 @@ ReadModel read_file(const std::filesystem::path& path, const HexFitOptions& opti
 
 }  // namespace
 
+void check_no_defeature(double size) {
+  if (size > 0)
+    throw Error(ErrorKind::kUsage,
+                {"", "defeature", "nothing can be left out of a mesh of tets: give its surface or CAD file"});
+}
+
 ReadModel model_of(TriangleMesh surface, const HexFitOptions& options) {
+  if (!(options.defeature >= 0))
+    throw Error(ErrorKind::kUsage, {"", "defeature", "must be a size, or 0 for none"});
   require_memory_of(surface);
   TriangleMesh units;
   units.unit = surface.unit;

@@ -31,6 +31,9 @@ ReadModel read_model(const std::filesystem::path& path, const HexFitOptions& opt
 /// The same of a surface, which is closed (ClosedModel).
 ReadModel model_of(TriangleMesh surface, const HexFitOptions& options);
 
+/// Throws Error(kUsage) for a size below which a mesh of tets would lose holes and bosses.
+void check_no_defeature(double size);
+
 /// Returns an error with the name of the model's file, if it is about the model or what is asked of it.
 Error named(const Error& error, const std::filesystem::path& model);
 

@@ -173,8 +173,41 @@ class Defeaturing {
       if (part.rim == nullptr || part.area == largest || width_about(*part.rim, part.triangles) > size_)
         continue;
       is_gone_[k] = 1;
-      left_out_.push_back({part.rim->middle, part.rim->width, part.faces});
     }
+    keep_what_joins_others();
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      if (is_gone_[k]) left_out_.push_back({parts[k].rim->middle, parts[k].rim->width, parts[k].faces});
+  }
+
+  /// The parts of faces on both sides of a rim.
+  std::pair<std::uint32_t, std::uint32_t> parts_at(const FaceLoop& rim) {
+    const DirectedEdge& edge = rim.edges.front();
+    const std::uint32_t own = parts_of_faces_.root(features_.face_of[edge.across]);
+    const std::uint32_t other = face_across(edge.from, edge.to, edge.across);
+    return {own, other == FeatureComplex::kNone ? own : parts_of_faces_.root(other)};
+  }
+
+  /// Parts that lead from one that stays to another stay too: without them the model would fall apart, or
+  /// have a void.
+  void keep_what_joins_others() {
+    constexpr std::uint32_t kNone = FeatureComplex::kNone;
+    DisjointSets together(is_gone_.size());
+    for (const FaceLoop& rim : rims_) {
+      const auto [a, b] = parts_at(rim);
+      if (is_gone_[a] && is_gone_[b]) together.join(a, b);
+    }
+    std::vector<std::uint32_t> beside(is_gone_.size(), kNone);  // of each set, a part that stays
+    std::vector<std::uint8_t> joins_others(is_gone_.size(), 0);
+    for (const FaceLoop& rim : rims_) {
+      auto [gone, stays] = parts_at(rim);
+      if (is_gone_[stays]) std::swap(gone, stays);
+      if (!is_gone_[gone] || is_gone_[stays]) continue;
+      std::uint32_t& known = beside[together.root(gone)];
+      if (known != kNone && known != stays) joins_others[together.root(gone)] = 1;
+      known = stays;
+    }
+    for (std::uint32_t k = 0; k < is_gone_.size(); ++k)
+      if (is_gone_[k] && joins_others[together.root(k)]) is_gone_[k] = 0;
   }
 
   const TriangleMesh& mesh_;

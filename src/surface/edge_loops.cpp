@@ -8,7 +8,10 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
+
+#include "base/parallel.hpp"
 
 namespace crossgrain {
 namespace {
@@ -72,7 +75,7 @@ class LoopJoining {
     std::vector<std::vector<std::size_t>> within(loops_.size());
     std::vector<std::uint8_t> is_within(loops_.size(), 0);
     for (std::size_t k = 0; k < order.size(); ++k)
-      if (const auto outer = loop_around(order, k)) {
+      if (const auto outer = loop_around(order, k); outer && !is_within[*outer]) {
         within[*outer].push_back(order[k]);
         is_within[order[k]] = 1;
       }
@@ -90,7 +93,8 @@ class LoopJoining {
  private:
   bool is_in_plane_of(std::size_t loop, std::size_t of) const {
     return std::ranges::all_of(loops_[loop].vertices, [&](std::uint32_t v) {
-      return std::abs(planes_[of]->height(vertices_[v])) <= kInPlane * std::sqrt(sizes_[of]);
+      return std::abs(planes_[of]->height(vertices_[v])) <=
+             kInPlane * std::sqrt(std::min(sizes_[of], sizes_[loop]));
     });
   }
 
@@ -123,50 +127,106 @@ class LoopJoining {
     return vertices_[loop.vertices[k % loop.vertices.size()]];
   }
 
+  /// The shortest way so far from an outer loop to an inner one.
+  struct Way {
+    double length = HUGE_VAL;
+    std::uint32_t from = 0;  ///< vertex of the outer loop
+    std::size_t to = 0;      ///< place in the inner loop
+
+    friend bool operator<(const Way& a, const Way& b) { return a.length < b.length; }
+  };
+
+  void shorten(Way& way, const std::vector<std::uint32_t>& outer, const EdgeLoop& inner) const {
+    for (const std::uint32_t v : outer)
+      for (std::size_t k = 0; k < inner.vertices.size(); ++k) {
+        const double length = norm(vertices_[v] - vertex(inner, k));
+        if (length < way.length) way = {length, v, k};
+      }
+  }
+
   /// A loop with those within it, to each of which the shortest way goes that crosses none.
   EdgeLoop joined(std::size_t outer, const std::vector<std::size_t>& within) const {
     const LoopPlane& plane = *planes_[outer];
     EdgeLoop loop = loops_[outer];
     std::vector<EdgeLoop> inner;
     for (const std::size_t k : within) inner.push_back(loops_[k]);
+    std::vector<Way> ways(inner.size());
+    for (std::size_t k = 0; k < inner.size(); ++k) shorten(ways[k], loop.vertices, inner[k]);
     while (!inner.empty()) {
-      auto [which, from, to] = bridge(loop, inner, plane);
-      EdgeLoop other = std::move(inner[which]);
+      check_watched();
+      const auto shortest = std::ranges::min_element(ways, std::less()) - ways.begin();
+      auto which = static_cast<std::size_t>(shortest);
+      std::size_t from = place_towards(loop, ways[which].from, vertex(inner[which], ways[which].to), plane);
+      std::size_t to = ways[which].to;
+      if (!is_free(loop, inner, plane, from, vertex(inner[which], to)))
+        std::tie(which, from, to) = free_way(loop, inner, plane);
+      const EdgeLoop other = std::move(inner[which]);
       inner.erase(inner.begin() + static_cast<std::ptrdiff_t>(which));
-      std::ranges::rotate(other.vertices, other.vertices.begin() + static_cast<std::ptrdiff_t>(to));
-      std::ranges::rotate(other.across, other.across.begin() + static_cast<std::ptrdiff_t>(to));
-      other.vertices.push_back(other.vertices.front());
-      other.vertices.push_back(loop.vertices[from]);
-      other.across.push_back({});
-      other.across.push_back(loop.across[from]);
-      loop.across[from] = {};
-      const auto after = static_cast<std::ptrdiff_t>(from) + 1;
-      loop.vertices.insert(loop.vertices.begin() + after, other.vertices.begin(), other.vertices.end());
-      loop.across.insert(loop.across.begin() + after, other.across.begin(), other.across.end());
+      ways.erase(ways.begin() + static_cast<std::ptrdiff_t>(which));
+      insert(loop, from, other, to);
+      for (std::size_t k = 0; k < inner.size(); ++k) shorten(ways[k], other.vertices, inner[k]);
     }
     return loop;
   }
 
-  /// The inner loop, and the vertices of the outer and of this one, of the shortest way between two.
-  std::tuple<std::size_t, std::size_t, std::size_t> bridge(const EdgeLoop& outer,
-                                                           const std::vector<EdgeLoop>& inner,
-                                                           const LoopPlane& plane) const {
-    std::vector<std::tuple<double, std::size_t, std::size_t, std::size_t>> ways;
+  /// Puts a loop, from a place on, between a vertex of another and the same vertex again.
+  void insert(EdgeLoop& loop, std::size_t from, EdgeLoop other, std::size_t to) const {
+    std::ranges::rotate(other.vertices, other.vertices.begin() + static_cast<std::ptrdiff_t>(to));
+    std::ranges::rotate(other.across, other.across.begin() + static_cast<std::ptrdiff_t>(to));
+    other.vertices.push_back(other.vertices.front());
+    other.vertices.push_back(loop.vertices[from]);
+    other.across.push_back({});
+    other.across.push_back(loop.across[from]);
+    loop.across[from] = {};
+    const auto after = static_cast<std::ptrdiff_t>(from) + 1;
+    loop.vertices.insert(loop.vertices.begin() + after, other.vertices.begin(), other.vertices.end());
+    loop.across.insert(loop.across.begin() + after, other.across.begin(), other.across.end());
+  }
+
+  /// Whether a point is in the angle of a loop at a place of it, seen from there.
+  bool is_in_angle(const EdgeLoop& loop, std::size_t k, const Vector3& point, const LoopPlane& plane) const {
+    const std::size_t count = loop.vertices.size();
+    const Flat before = plane.at(vertex(loop, k + count - 1)), at = plane.at(vertex(loop, k)),
+               after = plane.at(vertex(loop, k + 1)), p = plane.at(point);
+    const bool is_left_of_first = side_of(before, at, p) >= 0, is_left_of_second = side_of(at, after, p) >= 0;
+    return side_of(before, at, after) >= 0 ? is_left_of_first && is_left_of_second
+                                           : is_left_of_first || is_left_of_second;
+  }
+
+  /// The place of a vertex, which may have several, in whose angle a point is; the first if in none.
+  std::size_t place_towards(const EdgeLoop& loop, std::uint32_t v, const Vector3& point,
+                            const LoopPlane& plane) const {
+    const auto first = static_cast<std::size_t>(std::ranges::find(loop.vertices, v) - loop.vertices.begin());
+    for (std::size_t k = first; k < loop.vertices.size(); ++k)
+      if (loop.vertices[k] == v && is_in_angle(loop, k, point, plane)) return k;
+    return first;
+  }
+
+  bool is_free(const EdgeLoop& outer, const std::vector<EdgeLoop>& inner, const LoopPlane& plane,
+               std::size_t from, const Vector3& to) const {
+    const Flat a = plane.at(vertex(outer, from)), b = plane.at(to);
+    return is_in_angle(outer, from, to, plane) && !crosses(outer, plane, a, b) &&
+           std::ranges::none_of(inner, [&](const EdgeLoop& loop) { return crosses(loop, plane, a, b); });
+  }
+
+  /// The inner loop, and the places in the outer and in this one, of the shortest way that crosses none: by
+  /// trying all, where edges are long beside the way.
+  std::tuple<std::size_t, std::size_t, std::size_t> free_way(const EdgeLoop& outer,
+                                                             const std::vector<EdgeLoop>& inner,
+                                                             const LoopPlane& plane) const {
+    double least = HUGE_VAL;
+    std::tuple<std::size_t, std::size_t, std::size_t> best{0, 0, 0};
     for (std::size_t k = 0; k < inner.size(); ++k)
-      for (std::size_t i = 0; i < outer.vertices.size(); ++i)
-        for (std::size_t j = 0; j < inner[k].vertices.size(); ++j)
-          ways.emplace_back(norm(vertex(outer, i) - vertex(inner[k], j)), k, i, j);
-    std::ranges::sort(ways);
-    const auto is_free = [&](const auto& way) {
-      const auto& [length, k, i, j] = way;
-      const Flat a = plane.at(vertex(outer, i)), b = plane.at(vertex(inner[k], j));
-      return !crosses(outer, plane, a, b) &&
-             std::ranges::none_of(inner, [&](const EdgeLoop& loop) { return crosses(loop, plane, a, b); });
-    };
-    auto best = std::ranges::find_if(ways, is_free);
-    if (best == ways.end()) best = ways.begin();
-    const auto& [length, k, i, j] = *best;
-    return {k, i, j};
+      for (std::size_t i = 0; i < outer.vertices.size(); ++i) {
+        check_watched();
+        for (std::size_t j = 0; j < inner[k].vertices.size(); ++j) {
+          const double length = norm(vertex(outer, i) - vertex(inner[k], j));
+          if (length >= least || !is_free(outer, inner, plane, i, vertex(inner[k], j))) continue;
+          least = length;
+          best = {k, i, j};
+        }
+      }
+    return best;
   }
 
   bool crosses(const EdgeLoop& loop, const LoopPlane& plane, const Flat& a, const Flat& b) const {
@@ -197,14 +257,19 @@ std::vector<std::vector<DirectedEdge>> loops_of(std::vector<DirectedEdge> edges)
     return std::nullopt;
   };
   std::vector<std::vector<DirectedEdge>> loops;
+  std::unordered_map<std::uint32_t, std::size_t> place_of;  // of the vertices of the path
   for (const DirectedEdge& start : edges) {
     std::vector<DirectedEdge> path;
+    place_of.clear();
     for (auto next = next_from(start.from); next;
          next = next_from(path.empty() ? start.from : path.back().to)) {
       is_used[*next] = 1;
+      place_of[edges[*next].from] = path.size();
       path.push_back(edges[*next]);
-      const auto loop = std::ranges::find(path, path.back().to, &DirectedEdge::from);
-      if (loop == path.end()) continue;
+      const auto found = place_of.find(path.back().to);
+      if (found == place_of.end()) continue;
+      const auto loop = path.begin() + static_cast<std::ptrdiff_t>(found->second);
+      for (auto edge = loop; edge != path.end(); ++edge) place_of.erase(edge->from);
       loops.emplace_back(loop, path.end());
       path.erase(loop, path.end());
     }

@@ -60,12 +60,10 @@ class Optimum {
   Optimum(const EdgeLoop& loop, const std::vector<Vector3>& vertices, const IsTaken& is_taken)
       : loop_(loop), vertices_(vertices), is_taken_(is_taken), n_(loop.vertices.size()), best_(n_ * n_) {
     for (std::size_t i = 0; i + 1 < n_; ++i) at(i, i + 1).normal = loop.across[i];
-    Checkpoint checkpoint;
-    for (std::size_t gap = 2; gap < n_; ++gap)
-      for (std::size_t i = 0; i + gap < n_; ++i) {
-        checkpoint.pass();
-        choose(i, i + gap);
-      }
+    for (std::size_t gap = 2; gap < n_; ++gap) {
+      check_watched();
+      for (std::size_t i = 0; i + gap < n_; ++i) choose(i, i + gap);
+    }
   }
 
   void add(std::vector<std::array<std::uint32_t, 3>>& triangles) const {
@@ -124,7 +122,10 @@ class Ears {
  public:
   Ears(EdgeLoop& loop, const std::vector<Vector3>& vertices, const IsTaken& is_taken)
       : loop_(loop), vertices_(vertices), is_taken_(is_taken) {
-    for (std::size_t k = 0; k < loop.vertices.size(); ++k) costs_.push_back(cost_of(k));
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+      check_watched();
+      costs_.push_back(cost_of(k));
+    }
   }
 
   std::array<std::uint32_t, 3> cut() {
@@ -181,10 +182,9 @@ std::vector<std::array<std::uint32_t, 3>> loop_triangles(EdgeLoop loop, const st
                                                          const IsTaken& is_taken) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   if (loop.vertices.size() > kMostOptimal) {
-    Checkpoint checkpoint;
     Ears ears(loop, vertices, is_taken);
     while (loop.vertices.size() > kMostOptimal) {
-      checkpoint.pass();
+      check_watched();
       triangles.push_back(ears.cut());
     }
   }

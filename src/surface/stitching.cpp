@@ -66,6 +66,17 @@ class EdgeDivision {
 
   /// Adds a triangle, with the corners that its edges are divided at if there are any.
   void add(std::uint32_t t) {
+    const Triangle& triangle = mesh_.triangles[t];
+    const bool is_whole = std::ranges::none_of(std::array{0, 1, 2}, [&](int k) {
+      return places_.contains(std::minmax(
+          {triangle[static_cast<std::size_t>(k)], triangle[static_cast<std::size_t>((k + 1) % 3)]}));
+    });
+    if (is_whole) {
+      triangles_.push_back(triangle);
+      normals_.push_back(mesh_.corner_normals.empty() ? std::array<Vector3, 3>{} : mesh_.corner_normals[t]);
+      sources_.push_back(t);
+      return;
+    }
     EdgeLoop loop;
     std::map<std::uint32_t, Vector3> normals;
     for (std::size_t k = 0; k < 3; ++k) add_edge(t, k, loop, normals);
@@ -155,13 +166,17 @@ StitchedSurface stitched(TriangleMesh mesh, double gap, StitchedVertices which) 
   StitchedSurface result;
   std::vector<std::uint32_t> open =
       which == StitchedVertices::kAll ? all_vertices(mesh) : open_vertices(mesh);
-  std::stable_sort(open.begin(), open.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return mesh.vertices[a][0] < mesh.vertices[b][0];
-  });
+  // Along a direction across which models have no planes full of vertices.
+  constexpr Vector3 kAlong{0.7071, 0.5623, 0.4287};
+  std::vector<double> along(mesh.vertices.size());
+  for (const std::uint32_t v : open) along[v] = dot(kAlong, mesh.vertices[v]);
+  const double most = norm(kAlong) * gap;
+  std::stable_sort(open.begin(), open.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return along[a] < along[b]; });
   DisjointSets merged(mesh.vertices.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
     const Vector3& at = mesh.vertices[open[i]];
-    for (std::size_t k = i + 1; k < open.size() && mesh.vertices[open[k]][0] - at[0] <= gap; ++k) {
+    for (std::size_t k = i + 1; k < open.size() && along[open[k]] - along[open[i]] <= most; ++k) {
       const double distance = norm(mesh.vertices[open[k]] - at);
       if (distance > gap) continue;
       merged.join(open[i], open[k]);

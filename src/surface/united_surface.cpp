@@ -161,6 +161,7 @@ class Cutter {
   double gap() const { return gap_; }
 
   LeftOfTriangle left_of(std::uint32_t t) const {
+    check_watched();
     const auto corners = surface_.corners(t);
     std::vector<CutPiece> pieces = {{corners[0], corners[1], corners[2]}};
     std::vector<std::uint32_t> in_plane;
@@ -286,7 +287,8 @@ class Cutter {
     for (const std::uint32_t other : in_plane)
       if (other < t && dot(surface_.normals[other], surface_.normals[t]) > 0 && is_within(middle, other))
         return false;
-    const Vector3 besides = kBesides * gap_ * surface_.normals[t];
+    const double outward = winding_.flipped() ? -1 : 1;
+    const Vector3 besides = outward * kBesides * gap_ * surface_.normals[t];
     return winding_.at(middle + besides) < 0.5 && winding_.at(middle - besides) > 0.5;
   }
 
@@ -311,7 +313,10 @@ TriangleMesh united_triangles(const SearchableSurface& searchable) {
   const Surface& surface = searchable.surface();
   const Cutter cutter(searchable);
   std::vector<LeftOfTriangle> left(surface.size());
-  parallel_for(left.size(), [&](std::size_t t) { left[t] = cutter.left_of(static_cast<std::uint32_t>(t)); });
+  // A triangle that many others cross takes long.
+  constexpr std::size_t kGrain = 8;
+  parallel_for(
+      left.size(), [&](std::size_t t) { left[t] = cutter.left_of(static_cast<std::uint32_t>(t)); }, kGrain);
   std::vector<std::uint32_t> sources;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Vector3> vertices = surface.mesh.vertices;

@@ -97,8 +97,11 @@ ClosedModel::ClosedModel(TriangleMesh given, double crease_angle_deg, double def
   std::vector<Warning> mended = warnings_of_faults(surface_->mended(), findings);
   if (may_be_united(findings)) {
     MendedSurface united = united_surface(*surface_);
-    surface_.emplace(std::move(united));
-    is_united_ = true;
+    // Parts that meet in an edge stay as they are.
+    if (has_crossings(findings) || united.surface.size() != surface_->surface().size()) {
+      surface_.emplace(std::move(united));
+      may_cross_ = true;
+    }
   }
   check_closed(surface_->mended());
   warnings_.insert(warnings_.end(), mended.begin(), mended.end());
@@ -134,10 +137,12 @@ void ClosedModel::leave_out_below(double size) {
                                              "holes, slots, pockets or bosses"),
                                      size, places));
   surface_.emplace(mend_surface(CheckedMesh::derived(std::move(left.mesh))));
+  check_closed(surface_->mended());
+  may_cross_ = true;
 }
 
 void ClosedModel::check_crossings() const {
-  if (is_united_) check_bounds_solid(*surface_);
+  if (may_cross_) check_bounds_solid(*surface_);
 }
 
 PatchedSurface ClosedModel::patches() const {

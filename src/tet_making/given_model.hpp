@@ -56,7 +56,7 @@ class ClosedModel {
   std::optional<SearchableSurface> surface_;
   void leave_out_below(double size);
 
-  bool is_united_ = false;
+  bool may_cross_ = false;  ///< triangles that were made
   double crease_angle_deg_;
 };
 

@@ -77,10 +77,14 @@ SurfaceFindings all_findings(const SearchableSurface& surface) {
   return findings;
 }
 
-bool may_be_united(const SurfaceFindings& findings) {
+bool has_crossings(const SurfaceFindings& findings) {
   constexpr std::array kKinds{FindingKind::kSelfIntersection, FindingKind::kOverlappingComponents,
-                              FindingKind::kTouchingComponents, FindingKind::kNonmanifoldEdge};
+                              FindingKind::kTouchingComponents};
   return std::ranges::any_of(kKinds, [&](FindingKind kind) { return find(findings, kind) != nullptr; });
+}
+
+bool may_be_united(const SurfaceFindings& findings) {
+  return has_crossings(findings) || find(findings, FindingKind::kNonmanifoldEdge) != nullptr;
 }
 
 void check_closed(const MendedSurface& mended) {

@@ -21,7 +21,10 @@ std::vector<Warning> warnings_of_faults(const MendedSurface& mended, const Surfa
 /// Returns the findings of a surface with those of triangles that cross (find_self_intersections).
 SurfaceFindings all_findings(const SearchableSurface& surface);
 
-/// Whether parts overlap or touch, which united_surface makes one.
+/// Whether triangles cross, or closed parts overlap or touch.
+bool has_crossings(const SurfaceFindings& findings);
+
+/// Whether parts may overlap or touch, which united_surface makes one.
 bool may_be_united(const SurfaceFindings& findings);
 
 }  // namespace crossgrain

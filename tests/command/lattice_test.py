@@ -191,6 +191,20 @@ class Lattice(CommandTest):
         self.assertRegex(result.stderr, r"warning: part.stl: holes: \d+, the largest .* at .*; filled with triangles")
         self.assert_all_hex(0.125 * max(np.ptp(whole.reshape(-1, 3), axis=0)), model="whole.stl")
 
+    def test_leaves_narrow_pockets_out_and_says_where(self):
+        self.write("part.stl", stl_bytes(revolved([(0, 0), (5, 0), (5, 4), (1, 4), (1, 2), (0, 2)])))
+        self.write("whole.stl", stl_bytes(revolved([(0, 0), (5, 0), (5, 4), (0, 4)])))
+        result = self.run_here("hex", "part.stl", "--lattice", "--size", "1", "--defeature", "3", "-o", "out")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, r"warning: part.stl: 1 hole, slot, pocket or boss narrower than 3 left out: 2 wide at \S+ \S+ 4\n")
+        self.assert_all_hex(1, model="whole.stl")
+        result = self.run_here("hex", "part.stl", "--lattice", "--size", "1", "--defeature", "1.9", "-o", "out", "--force")
+        self.assertRegex(result.stderr, "warning: part.stl: no hole, slot, pocket or boss is narrower than 1.9")
+        self.assert_all_hex(1)
+        self.write("box.mesh", medit_text(*tet_box((3, 2, 2))))
+        for options in ((), ("--lattice",)):
+            self.assert_fails(self.run_here("hex", "box.mesh", "--defeature", "1", *options), USAGE, "nothing can be left out of a mesh of tets")
+
     def test_is_made_where_no_program_makes_tets(self):
         alone = shutil.copy(PROGRAM, self.folder / "alone")
         self.write("part.stl", stl_bytes(box_triangles()))
@@ -198,7 +212,7 @@ class Lattice(CommandTest):
         environment = {**os.environ, "PATH": ""}
         result = self.run_here(*arguments, "--write", "hexex", program=str(alone), env=environment)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertRegex(result.stderr, "warning: part.stl: a lattice is made, without a field and a map: no tets .* no program .*; install gmsh")
+        self.assertRegex(result.stderr, "warning: part.stl: no tets can be made of it, and so no field and no map, but a lattice: there is no program .*; install gmsh")
         self.assertRegex(result.stderr, "warning: no file of a field or a map is written")
         self.assertRegex(result.stdout, r"(?m)^files      out: hexahedra.vtu, hexahedra.mesh, hexahedra.msh, hexahedra.inp, report.json$")
         self.assertIn("no tets can be made of it", str(json.loads((self.folder / "out/report.json").read_text())["warnings"]))

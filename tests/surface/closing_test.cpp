@@ -152,6 +152,49 @@ TEST(HoleFilling, TakesLoopsWithinOthersAsTheBorderOfOneFace) {
   EXPECT_NEAR(enclosed_volume(prepare_surface(CheckedMesh(filled.mesh))), volume, 1e-12);
 }
 
+/// A tube within a tube, both without their ends: four loops in a plane, two rings.
+TEST(HoleFilling, TakesRingsWithinRings) {
+  TriangleMesh tubes;
+  double volume = 0;
+  for (const double radius : {2.0, 1.5, 1.0, 0.5}) {
+    TriangleMesh cylinder = make_cylinder(radius, 1, 24);
+    const double own = enclosed_volume(prepare_surface(CheckedMesh(cylinder)));
+    const bool is_outer = radius == 2 || radius == 1;
+    volume += is_outer ? own : -own;
+    std::erase_if(cylinder.triangles, [&](const Triangle& t) {
+      return std::abs(shape_of(corners_of(t, cylinder.vertices)).normal[2]) > 0.5;
+    });
+    tubes = join_meshes(tubes, is_outer ? cylinder : flip_mesh(cylinder));
+  }
+  const FilledSurface filled = with_filled_holes(weld(std::move(tubes)));
+  EXPECT_EQ(filled.holes, 8u);
+  EXPECT_TRUE(analyse_topology(filled.mesh).watertight);
+  EXPECT_NEAR(enclosed_volume(prepare_surface(CheckedMesh(filled.mesh))), volume, 1e-9);
+}
+
+/// A plate whose top is missing, with square holes near to each other.
+TEST(HoleFilling, TakesManyHolesOfAFace) {
+  for (unsigned seed = 1; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> off(-0.8, 0.8);
+    TriangleMesh plate = make_box({10, 10, 1});
+    for (int i = 0; i < 9; ++i) {
+      const Vector3 place{-3 + 3.0 * (i / 3) + off(random), -3 + 3.0 * (i % 3) + off(random), 0};
+      plate = join_meshes(plate, flip_mesh(translate_mesh(make_box({1, 1, 3}), place)));
+    }
+    TriangleMesh open = united_surface(SearchableSurface(prepare_surface(CheckedMesh(plate)))).surface.mesh;
+    ASSERT_NEAR(enclosed_volume(prepare_surface(CheckedMesh(open))), 91, 1e-9);
+    std::erase_if(open.triangles, [&](const Triangle& t) {
+      return std::ranges::all_of(t, [&](std::uint32_t v) { return open.vertices[v][2] > 0.499; });
+    });
+    const FilledSurface filled = with_filled_holes(open);
+    EXPECT_EQ(filled.holes, 10u);
+    EXPECT_NEAR(enclosed_volume(prepare_surface(CheckedMesh(filled.mesh))), 91, 1e-9);
+    for (std::size_t t = open.triangles.size(); t < filled.mesh.triangles.size(); ++t)
+      EXPECT_GT(shape_of(corners_of(filled.mesh.triangles[t], filled.mesh.vertices)).normal[2], 0.99);
+  }
+}
+
 TEST(HoleFilling, NumbersFaces) {
   TriangleMesh box = make_box({2, 2, 2});
   const Triangle gone = box.triangles.front();
@@ -214,6 +257,16 @@ TEST(UnitedSurface, OfTwoBoxesHasTheirUnionsVolumeAndTopology) {
       EXPECT_TRUE(one.closed);
       EXPECT_NEAR(enclosed_volume(one.surface), 16 - common, 1e-9) << shift;
     }
+  }
+}
+
+TEST(UnitedSurface, OfPartsThatAreInsideOutIsTheSame) {
+  for (const double shift : {1.0, 2.0}) {
+    const TriangleMesh boxes =
+        join_meshes(make_box({2, 2, 2}), translate_mesh(make_box({2, 2, 2}), {shift, 0, 0}));
+    const MendedSurface one = united(flip_mesh(boxes));
+    EXPECT_TRUE(one.closed);
+    EXPECT_NEAR(enclosed_volume(one.surface), 4 * (2 + shift), 1e-9);
   }
 }
 

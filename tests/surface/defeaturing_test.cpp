@@ -75,6 +75,17 @@ TEST(Defeaturing, LeavesWhatIsWider) {
   EXPECT_NEAR(volume_of(without_all.mesh), 32, 1e-6);
 }
 
+/// A rod between two blocks, and a bore into a cavity.
+TEST(Defeaturing, LeavesWhatJoinsParts) {
+  const TriangleMesh blocks =
+      join_meshes(make_box({2, 2, 2}), translate_mesh(make_box({2, 2, 2}), {0, 0, 4}));
+  const TriangleMesh rod = translate_mesh(make_cylinder(0.2, 1.5, 24), {0, 0, 2});
+  EXPECT_TRUE(without(together(blocks, rod, false), 0.6).features.empty());
+  const TriangleMesh hollow = join_meshes(make_box({4, 4, 4}), flip_mesh(make_box({2, 2, 2})));
+  const TriangleMesh bore = translate_mesh(make_cylinder(0.2, 1, 24), {0, 0, 1.5});
+  EXPECT_TRUE(without(together(hollow, bore, true), 0.6).features.empty());
+}
+
 TEST(Defeaturing, LeavesTheEndsOfAShaft) {
   EXPECT_TRUE(without(make_cylinder(0.5, 5, 32), 3).features.empty());
   EXPECT_TRUE(without(make_sphere(1, 3), 10).features.empty());
