@@ -21,7 +21,7 @@ CLI::App* add_fit(CLI::App& app, SolveArguments& arguments) {
                "Hexahedra alone, in a Medit .mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu or Abaqus .inp file "
                "(any of them also as .gz), or in the folder of a result");
   add_argument(*command, "MODEL", arguments.model,
-               "The solid, in the same coordinates: a STEP, IGES, BREP or FCStd file, a closed surface in an "
+               "The solid, in the same coordinates: a STEP, IGES, BREP or FCStd file, a surface in an "
                "STL, OBJ, PLY, OFF or 3MF file, or a tet mesh");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.fitted here)");
   add_value(

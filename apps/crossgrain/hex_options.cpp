@@ -59,10 +59,9 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
       "mesh is written; 7 they fill it, but lack features or are off its surface; 130 Ctrl-C: the best so "
       "far is written, if there is one");
   HexMeshingOptions& options = arguments.hexahedra.emplace();
-  add_argument(
-      *command, "MODEL", arguments.model,
-      "A STEP, IGES, BREP or FCStd file, a closed surface in an STL, OBJ, PLY, OFF or 3MF file, or a "
-      "tet mesh (Medit .mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu); any of them also as .gz");
+  add_argument(*command, "MODEL", arguments.model,
+               "A STEP, IGES, BREP or FCStd file, a surface in an STL, OBJ, PLY, OFF or 3MF file, or a "
+               "tet mesh (Medit .mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu); any of them also as .gz");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.hexahedra here)");
   CLI::Option* size = add_value(*command, "--size", options.hexahedra.size, "X", fault_of_length,
                                 "Edge of the hexahedra, in model units (default: see --cells)");

@@ -51,7 +51,7 @@ void add_making_of_tets(CLI::App& command, SolveArguments& arguments, CLI::Optio
 
 CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
   CLI::App* command = app.add_subcommand(
-      "tets", "Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen");
+      "tets", "Cuts the solids of a CAD file or of a surface into tets, by gmsh or Netgen");
   add_examples(
       *command,
       "crossgrain tets part.step --size 2 -o part.msh\n"
@@ -60,7 +60,7 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
       "number of tets; 130 Ctrl-C: nothing is written");
   TetMakingOptions& options = arguments.options;
   add_argument(*command, "MODEL", arguments.model,
-               "A STEP, IGES, BREP or FCStd file, or a closed surface in an STL, OBJ, PLY, OFF or 3MF file; "
+               "A STEP, IGES, BREP or FCStd file, or a surface in an STL, OBJ, PLY, OFF or 3MF file; "
                "any of them also as .gz");
   add_value(*command, "-o,--output", arguments.output, "FILE",
             "The .mesh (Medit) or .msh (Gmsh) file to write (default: MODEL-stem.mesh here)");

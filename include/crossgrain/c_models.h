@@ -83,7 +83,7 @@ crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes
 /** Sets the unit of the coordinates, such as "mm": a label, no number changes. */
 crossgrain_status crossgrain_tets_set_unit(crossgrain_tets* tets, const char* unit, crossgrain_error** error);
 
-/** Cuts the solids of a CAD file or of a closed surface, in a file or in memory, into tets (make_tets), by
+/** Cuts the solids of a CAD file or of a surface, in a file or in memory, into tets (make_tets), by
  * gmsh or Netgen; `options` of kind CROSSGRAIN_TET_MAKING_OPTIONS, or NULL. */
 crossgrain_status crossgrain_tets_make(const char* path, const crossgrain_options* options,
                                        crossgrain_monitor* monitor, crossgrain_tets** out,

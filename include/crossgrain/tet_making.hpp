@@ -56,7 +56,7 @@ struct TetMakingOptions {
   LengthUnit unit = LengthUnit::kUnknown;
 };
 
-/// Cuts the solids of a model into tets. The model is a CAD file or a closed surface of triangles
+/// Cuts the solids of a model into tets. The model is a CAD file or a surface of triangles
 /// (`read_surface`). All tets have a positive volume, and their vertices are used. Regions are numbers of
 /// solids, from 1. The faces of the solids and the edges between them are tagged:
 ///

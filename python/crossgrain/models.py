@@ -326,7 +326,7 @@ def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None
               edges: Optional[float] = None, maker: Optional[str] = None,
               options: Optional[TetMakingOptions] = None,
               tags_options: Optional[TetTagOptions] = None) -> TetMesh:
-    """Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen, and prepares them
+    """Cuts the solids of a CAD file or of a surface into tets, by gmsh or Netgen, and prepares them
     for a field.
 
     The model is a file (STEP, IGES, BREP, FCStd; STL, OBJ, PLY, OFF, 3MF), two arrays (vertices (n, 3) and

@@ -127,9 +127,14 @@ FittedHexahedra made_without_tets(const Error& error, const Model& model, const 
       WarningKind::kTetMaker,
       fmt::format("no tets can be made of it, and so no field and no map, but a lattice: {}", error.text()),
       error.message().remedy);
-  if (options.on_warning) options.on_warning(warning);
+  // Once the model is read: one that cannot be gives its error alone.
+  HexMeshingOptions heard = options;
+  heard.on_expected = [&](const HexExpectation& expected) {
+    if (options.on_warning) options.on_warning(warning);
+    if (options.on_expected) options.on_expected(expected);
+  };
   try {
-    FittedHexahedra made = lattice_hexahedra(model, options, monitor);
+    FittedHexahedra made = lattice_hexahedra(model, heard, monitor);
     made.report.warnings.insert(made.report.warnings.begin(), warning);
     return made;
   } catch (const Error& other) {
